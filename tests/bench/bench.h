@@ -1,5 +1,6 @@
-/* tests/bench/bench.h -- A clock, and on which machine it ran.     [H 12, 18]
- * The file that includes this asks for _POSIX_C_SOURCE 200809L first. */
+/* tests/bench/bench.h -- A clock, and a description of the machine. [H 12, 18]
+ *
+ * Define _POSIX_C_SOURCE as 200809L before you include this file. */
 #ifndef BENCH_H
 #define BENCH_H
 
@@ -8,7 +9,7 @@
 #include <sys/utsname.h>
 #include <time.h>
 
-/* Seconds of the processor: what others do on the machine is not counted. */
+/* Return the processor time of this process in seconds. Other processes do not count. */
 static inline double now(void)
 {
     struct timespec t;
@@ -16,7 +17,7 @@ static inline double now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* The processor's name, if the kernel tells. */
+/* Print the processor's name, if the kernel tells it, the compiler and its options. */
 static inline void describe(void)
 {
     char line[256] = "", *name = line;

@@ -1,9 +1,9 @@
-/* tests/bench/bench_adjoint.c -- H 23: what an adjoint run costs.
+/* tests/bench/bench_adjoint.c -- H 23: the cost of an adjoint run.
  *
- * Prints a table; some seconds. A Duffing oscillator, F = cos(t)/4, h = 1/128, alpha =
- * 5/16. A time is that of the processor, for a step, the least of several: of the run; of
- * the adjoint run with the path given and all derivatives but that by alpha; with all;
- * and of both runs with no path kept, the forward one counted twice. */
+ * Prints a table in some seconds. The system is a Duffing oscillator with F = cos(t)/4, h = 1/128, alpha = 5/16.
+ * Each time is processor time for a step, the least of several measurements: of the run; of the adjoint run along
+ * a given path with all derivatives except that by alpha; of the same with all derivatives; and of both runs if
+ * no path is kept, so that the forward run is made twice. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"

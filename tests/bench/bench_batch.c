@@ -1,9 +1,9 @@
-/* tests/bench/bench_batch.c -- H 28: eight runs of an oscillator together, and one by one; and 1600 runs by
- * `fvi sweep`, both ways.
+/* tests/bench/bench_batch.c -- H 28: eight runs of an oscillator together, and one after the other; and 1600 runs
+ * by `fvi sweep`, in both ways.
  *
- * Prints a table in blocks. A quarter of a minute. The oscillator has two wells, a force and damping of the order
- * 0.6; the runs differ in their start, in the amplitude of the force and in the stiffness. Both ways take
- * turns, and each turn has a ratio: the columns have the median, the least and the largest of them. */
+ * Prints a table in blocks in a quarter of a minute. The oscillator has two wells, a force and damping of the
+ * order 0.6. The runs differ in their start, in the amplitude of the force and in the stiffness. The two ways
+ * take turns, and each turn gives a ratio. The columns have the median, the least and the largest ratio. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
 #include <fvi/fvi.h>
 #include "bench.h"
@@ -56,7 +56,7 @@ static void walk(const fvi_method *method, const fvi_run *run)
     fvi_stepper_free(s);
 }
 
-/* The last place, or the sum of those of all lanes. */
+/* J is the last position, or the sum of the last positions of all lanes. */
 static int last_place(size_t k, size_t d, const double *x, const double *p, void *params, double *Jx, double *Jp)
 {
     (void)x, (void)p, (void)params, (void)Jp;
@@ -65,7 +65,7 @@ static int last_place(size_t k, size_t d, const double *x, const double *p, void
     return 0;
 }
 
-/* Its derivatives by starts, masses, dampings and the order: a run forwards and one back. */
+/* Compute the derivatives of J by starts, masses, dampings and the order: a run forwards and a run backwards. */
 static void walk_back(const fvi_method *method, const fvi_run *run)
 {
     static const fvi_objective J = { .slopes = last_place };
@@ -74,7 +74,7 @@ static void walk_back(const fvi_method *method, const fvi_run *run)
     check(fvi_adjoint(method, run, NULL, NULL, &J, &by));
 }
 
-/* ns a run and step, the start included. */
+/* Return the ns for a run and step, the start included. */
 static double time_of(void (*go)(const fvi_method *, const fvi_run *), const fvi_method *method,
                       const fvi_run *run, size_t together)
 {
@@ -131,7 +131,7 @@ static void row(const fvi_method *method, int from_text, int is_adjoint)
 
 /* ---- the program ---- */
 
-/* Seconds of the processors that processes of the program have taken so far. */
+/* Return the processor time in seconds of all processes of the program so far. */
 static double children(void)
 {
     struct rusage r;

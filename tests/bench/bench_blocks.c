@@ -1,9 +1,8 @@
-/* tests/bench/bench_blocks.c -- H 28: one push of many coordinates, by blocks and
- * without; what the machine could do at best; a wave of a million unknowns.
+/* tests/bench/bench_blocks.c -- H 28: the push of many coordinates to a memory, by blocks and without; the limits
+ * of the machine; a wave of a million unknowns.
  *
- * Prints a table in blocks (gnuplot: index 0, 1, ...). Two minutes, 1.3 gigabytes. The
- * modes are those of half a derivative and 10^6 steps at the default tolerance; a time is
- * the least of several. One minute. */
+ * Prints a table in blocks (gnuplot: index 0, 1, ...) in two minutes, with 1.3 gigabytes. The modes are those of
+ * half a derivative and 10^6 steps at the default tolerance. Each time is the least of several measurements. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
 #include <fvi/coefficients.h>
 #include <fvi/convolution_quadrature_methods.h>
@@ -35,7 +34,7 @@ static size_t modes(void)
     return (Q + 7) / 8 * 8;
 }
 
-/* Rated memories push the plain way, whatever d. */
+/* Return a memory that pushes without blocks for every d. A memory with a rate does so. */
 static fvi_history_head *plain_of(size_t d)
 {
     const fvi_node_range g =
@@ -65,8 +64,8 @@ static fvi_history_head *tiles_of(size_t d, size_t lanes)
     return t;
 }
 
-/* ns a coordinate and push: the least of twelve, or of four, times as many pushes as make 2 10^6
- * coordinates, whole blocks, but one block at least. */
+/* Return the ns for a coordinate and push: the least of twelve measurements, or of four. A measurement has the
+ * number of pushes that makes 2 10^6 coordinates, in whole blocks, but at least one block. */
 static double push_time(fvi_history_head *m, size_t d)
 {
     const size_t count = 32 + 2000000 / d / 32 * 32;
@@ -99,7 +98,8 @@ static double tiles_time(size_t d, size_t lanes)
     return ns;
 }
 
-/* ns[0], ns[1]: those of the last row, a million coordinates, the plain way and by blocks. */
+/* Print the table against the number of coordinates. ns[0] and ns[1] become the times of the last row, a
+ * million coordinates, without and with blocks. */
 static void against_coordinates(double *ns)
 {
     printf("# ns a coordinate and push, %zu modes\n#> push\n"
@@ -114,7 +114,7 @@ static void against_coordinates(double *ns)
     printf("#< push\n\n\n");
 }
 
-/* Vectors that this machine has not are left out. */
+/* Print the table against the width of the vectors. Widths that this machine does not have are left out. */
 static void against_widths(void)
 {
     printf("# ns a coordinate and push, d = 1000, by the width of the vectors\n"
@@ -127,7 +127,7 @@ static void against_widths(void)
     printf("#< widths\n\n\n");
 }
 
-/* Runs of an oscillator, each x_{k+1} made from H_k, as the coordinates of one memory. */
+/* Runs of an oscillator as the coordinates of one memory, with each x_{k+1} made from H_k. */
 static double batch_time(size_t d)
 {
     const size_t count = 32 * (1 + 30000 / d);
@@ -153,8 +153,7 @@ static double batch_time(size_t d)
     return 1e9 * best / (double)count / (double)d;
 }
 
-/* The same runs as the coordinates of one system, which share alpha, h and the method, by
- * fvi_stepper_step. */
+/* The same runs as the coordinates of one system, which share alpha, h and the method, by fvi_stepper_step. */
 static double run_time(const fvi_method *method, size_t d)
 {
     static const double c = 1;
@@ -188,7 +187,7 @@ static double run_time(const fvi_method *method, size_t d)
 
 static void against_batch(void)
 {
-    enum { ROWS = 8, TURNS = 5 }; /* all rows by turns: bench_memory.c says why */
+    enum { ROWS = 8, TURNS = 5 }; /* all rows take turns; bench_memory.c says why */
     double least[ROWS][3];
     for (int turn = 0; turn < TURNS; turn++)
         for (size_t i = 0, d = 1; i < ROWS; i++, d *= d < 16 ? 2 : 4) {
@@ -211,10 +210,10 @@ static void against_batch(void)
     fflush(stdout);
 }
 
-/* ---- the two roofs ---- */
+/* ---- the two upper bounds of the speed ---- */
 
-/* Twelve vectors, each s <- s a + b, so that none waits for another: two operations a
- * number and round. */
+/* Twelve vectors with s <- s a + b each, so that no operation waits for another: two operations for each number
+ * and round. */
 #define PEAK(name, lanes, target)                                              \
     target static double name(size_t rounds)                                   \
     {                                                                          \
@@ -238,7 +237,7 @@ PEAK(peak_4, 4, __attribute__((target("avx2"))))
 PEAK(peak_8, 8, __attribute__((target("avx512f"))))
 #endif
 
-/* GFLOP/s without fused operations, by the widest vectors. */
+/* Return GFLOP/s without fused operations, by the widest vectors. */
 static double peak(void)
 {
     double best = 0;
@@ -255,7 +254,7 @@ static double peak(void)
     return best;
 }
 
-/* GB/s of x <- x + 1 over 400 megabytes, read and written. */
+/* Return GB/s of x <- x + 1 over 400 megabytes, read and written. */
 static double bandwidth(void)
 {
     enum { N = 50000000 };
@@ -270,7 +269,7 @@ static double bandwidth(void)
     return 16e-9 * N / best;
 }
 
-/* (28.5): what is counted, what is measured, and the least time that a roof allows. */
+/* Print (28.5): the counted operations and bytes, the measured time, and the least time that each bound allows. */
 static void roofs(const double *ns)
 {
     const double Q = (double)modes(), top = peak(), wide = bandwidth();
@@ -295,8 +294,8 @@ static void roofs(const double *ns)
 
 static const double step = 0.5, rho = 0.05;
 
-/* The run of a system of n unknowns from x0 at rest by Algorithm 3 at kappa = 1, which
- * solves nothing; x is that at the end. Returns the seconds, start included. */
+/* Run a system of n unknowns from x0 at rest by Algorithm 3 at kappa = 1, which solves no equations. x becomes
+ * the last positions. Returns the seconds, start included. */
 //> wave
 static double run_of(size_t n, fvi_potential potential, const double *x0,
                      size_t steps, double *x)
@@ -327,8 +326,8 @@ static double run_of(size_t n, fvi_potential potential, const double *x0,
 }
 //< wave
 
-/* An eigenvector of the second difference, 80 cells long, of n unknowns; how far it is
- * from the oscillator in the end. The less of two times. */
+/* Run an eigenvector of the second difference of n unknowns, 80 cells long, twice. Print the shorter time, and
+ * the distance from the oscillator at the end. */
 static void one_wave(size_t n, size_t steps)
 {
     static const double springs[] = { 1, 0 }, one = 1;
@@ -357,12 +356,12 @@ static void one_wave(size_t n, size_t steps)
     free(u0);
 }
 
-/* With an argument, the wave alone. */
+/* With an argument, run the wave alone. */
 int main(int argc, char **argv)
 {
     (void)argv;
     describe();
-    one_wave(MOST, 1000); /* the first, for its memory is the most so far */
+    one_wave(MOST, 1000); /* first, because the memory of a process is reported as its largest size so far */
     fflush(stdout);
     if (argc > 1)
         return EXIT_SUCCESS;

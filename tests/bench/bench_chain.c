@@ -1,8 +1,7 @@
-/* tests/bench/bench_chain.c -- H 12: what a long chain costs.
+/* tests/bench/bench_chain.c -- H 12: the cost of a long chain.
  *
- * Prints three tables; some twenty seconds. A chain of d masses between two walls,
- * springs r + r^3 / 2, mass 1, h = 0.1, kappa = 1/2. A time is that of the processor,
- * for the steps alone, the least of several. */
+ * Prints three tables in some twenty seconds. The chain has d masses 1 between two walls, springs r + r^3 / 2, h
+ * = 0.1 and kappa = 1/2. Each time is processor time for the steps alone, the least of several measurements. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, getrusage, uname */
 #include <fvi/fvi.h>
 #include "bench.h"
@@ -13,7 +12,7 @@
 #include <stdlib.h>
 #include <sys/resource.h>
 
-/* Seconds of N steps of d masses, x_i = cos(b i) and p_i = 1/2 at first. */
+/* Return the seconds of N steps of d masses that start with x_i = cos(b i) and p_i = 1/2. */
 static double run_once(const fvi_method *method, size_t d, size_t N, double b,
                        double damping, double alpha)
 {
@@ -53,8 +52,8 @@ static double run_once(const fvi_method *method, size_t d, size_t N, double b,
     return seconds;
 }
 
-/* In ns a mass and step, a row for each d. Twenty steps from x_i = cos i: every spring
- * is stretched, no two alike, and Newton's method needs as many steps for any d. */
+/* Print the ns for a mass and step, a row for each d. The runs have twenty steps from x_i = cos i. Every spring
+ * is stretched, no two are alike, and Newton's method needs the same number of steps for every d. */
 static void against_masses(const char *name, double damping)
 {
     enum { N = 20 };
@@ -81,8 +80,8 @@ static void against_masses(const char *name, double damping)
     printf("#< %s\n\n\n", name);
 }
 
-/* The run fvi run --potential chain:10000,1,0.5 --method fvi-shifted --steps 400. It is
- * the first, for the memory is the most that the process ever had. */
+/* Make the run of fvi run --potential chain:10000,1,0.5 --method fvi-shifted --steps 400. It comes first,
+ * because the memory of a process is reported as its largest size so far. */
 static void one_run(void)
 {
     struct rusage usage;

@@ -1,10 +1,12 @@
-/* tests/bench/bench_memory.c -- H 12: what the three memories take.
+/* tests/bench/bench_memory.c -- H 12: the time and space of three memories.
  *
- * Prints a table in blocks (gnuplot: index 0, 1, ...); the progress is on
- * standard error. Some twenty seconds. Every run is the Bagley-Torvik equation
+ * Prints a table in blocks (gnuplot: index 0, 1, ...) in some twenty seconds; the progress is on standard error.
+ * Every run is the equation of Bagley and Torvik
+ *
  *     x'' + D^{3/2} x + x = F(t),  F = 8 for t <= 1, then 0,  x(0) = x'(0) = 0,
- * to T = 20, by the integrator of H 9. A time is the least of several.
- * The library has two of the memories. The third, by FFT, stands here beside them. */
+ *
+ * to T = 20, by the integrator of H 9. Each time is the least of several measurements. The library has two of the
+ * memories. The third one, by FFT, is in fft_blocks.c. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
 #include <fvi/fvi.h>
 #include "bench.h"
@@ -18,8 +20,8 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-/* A way to sum: the name in the table, the shortest and the longest run, and the library's
- * kind. The library has no FFT: AUTO stands for it here. */
+/* A way to sum: its name in the table, its shortest and its longest run, and the library's kind. The library
+ * has no FFT, so AUTO represents it here. */
 typedef struct {
     const char *name;
     double least, most;
@@ -30,14 +32,14 @@ static const way direct_sum = { "direct", 0, 2e4, FVI_HISTORY_DIRECT },
                  fft = { "fft", 512, 3e6, FVI_HISTORY_AUTO },
                  exponentials = { "exponentials", 0, 1e7, FVI_HISTORY_MODES };
 
-/* One line on a terminal, written over by the next. */
+/* Print a line on a terminal that the next line overwrites. */
 static void progress(const char *what, size_t n)
 {
     if (isatty(STDERR_FILENO))
         fprintf(stderr, "\r%-40s %10zu", what, n);
 }
 
-/* One run of d equal systems; x(T) of the first. */
+/* Run d equal systems once. Return x(T) of the first one. */
 static double run_once(size_t d, size_t N, double kappa, fvi_history_kind kind,
                        double tolerance)
 {
@@ -71,7 +73,7 @@ static double run_once(size_t d, size_t N, double kappa, fvi_history_kind kind,
     return x;
 }
 
-/* sum + lost is what the sum would be without rounding. */
+/* Add a term. sum + lost is the sum without its rounding errors. */
 static void add(double term, double *sum, double *lost)
 {
     const double all = term + *lost, before = *sum;
@@ -79,8 +81,8 @@ static void add(double term, double *sum, double *lost)
     *lost = all - (*sum - before);
 }
 
-/* The same run of one system at kappa = 1/2, with the history summed by FFT in blocks. As the
- * force does not act at the start, x_0 = x_1 = 0; a linear equation needs no iteration.
+/* Make the same run of one system at kappa = 1/2 with the history summed by FFT in blocks. The force does not
+ * act at the start, so x_0 = x_1 = 0. The equation is linear, so no iteration is needed.
  *                                                           [(9.1), (12.2), (12.4)] */
 static double run_by_blocks(size_t N)
 {
@@ -106,7 +108,7 @@ static size_t bytes_of(const way *by, size_t N)
                       : fvi_history_bytes(1.5, 1, N, by->kind, 0);
 }
 
-/* Seconds of a run: the least of two or of a fifth of a second's worth. */
+/* Return the seconds of a run: the least of two measurements, or of as many as fit into a fifth of a second. */
 static double seconds(const way *by, size_t d, size_t N, double kappa,
                       double tolerance, double *x)
 {
@@ -124,7 +126,7 @@ static double seconds(const way *by, size_t d, size_t N, double kappa,
 
 static void against_steps(void)
 {
-    /* The method is of first order: two long runs give x(T) to 10^-12. */
+    /* The method is of first order, so two long runs give x(T) to 10^-12. */
     progress("reference", 10000000);
     double exact = 2 * run_once(1, 10000000, 0.5, FVI_HISTORY_AUTO, 0)
                    - run_once(1, 5000000, 0.5, FVI_HISTORY_AUTO, 0);
@@ -148,7 +150,7 @@ static void against_steps(void)
     }
 }
 
-/* The direct sum of N terms, and N bare dot products of the same lengths. */
+/* Return the seconds of N plain dot products with the lengths of the direct sum of N terms. */
 static double dot_products(size_t N, double *a, double *b)
 {
     double start = now(), total = 0;
@@ -159,7 +161,7 @@ static double dot_products(size_t N, double *a, double *b)
             sum += a[j] * b[j];
         total += sum;
     }
-    a[0] = 1e-300 * total; /* so that the sums are not left out */
+    a[0] = 1e-300 * total; /* keeps the compiler from leaving out the sums */
     return now() - start;
 }
 
@@ -189,7 +191,7 @@ static void ratios(void)
     printf("#< ratios\n\n\n");
 }
 
-/* Time against error: what does a tolerance cost, and what does it keep? */
+/* Print time and error against the tolerance. */
 static void against_tolerance(void)
 {
     const size_t N = 20000;
@@ -208,11 +210,11 @@ static void against_tolerance(void)
     printf("#< tolerance\n\n\n");
 }
 
-/* A processor may be fast for some seconds and slow for others: what is compared takes turns. */
+/* A processor may be fast for some seconds and slow for others, so the runs that are compared take turns. */
 enum { TURNS = 15 };
 
-/* d systems in one memory against d runs. kappa = 1 is the explicit step: no
- * d by d matrix hides the memory. */
+/* Compare d systems in one memory with d runs. kappa = 1 is the explicit step, so no d by d matrix hides the
+ * cost of the memory. */
 static void against_batch(void)
 {
     const size_t N = 200000, most = FVI_TILES_FROM;
@@ -234,7 +236,7 @@ static void against_batch(void)
     printf("#< batch\n\n\n");
 }
 
-/* Seconds of N pushes, x_{k+1} made from H_k as a step would. */
+/* Return the seconds of N pushes, with x_{k+1} made from H_k as in a step. */
 static double pushes(size_t N, double delta)
 {
     const fvi_node_range g = fvi_history_modes_plan(0.5, N, delta);
@@ -251,7 +253,7 @@ static double pushes(size_t N, double delta)
     return taken;
 }
 
-/* The module alone: ns a push against the number of modes. */
+/* Print the time of the module alone: ns for a push against the number of modes. */
 static void against_modes(void)
 {
     enum { TENS = 12 };

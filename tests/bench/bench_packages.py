@@ -4,7 +4,7 @@
 
 A Duffing oscillator, m = c = 1, g = 1/2, rho = 0.4, x(0) = 1, v(0) = 1/2, 201 rows to t = 20. Its damping is a dashpot,
 2 alpha = 1, or a springpot of order 2 alpha = 1/2. Times are the least of three, in milliseconds; errors
-max |x - x(t)| against a run of fvi-lobatto8 with 4000 steps. FDEint is left out where it cannot be imported; it stands at
+max |x - x(t)| against a run of fvi-lobatto8 with 4000 steps. FDEint is left out if it cannot be imported; it is at
 github.com/zimmer-ing/FDEint."""
 import importlib.metadata
 import platform
@@ -17,7 +17,7 @@ from scipy.integrate import solve_ivp
 T = np.linspace(0, 20, 201)
 rates = np.exp(np.arange(-16, 14, 0.5))  # 60 modes, y' = x' - rate y
 shares = np.sin(np.pi / 2) / np.pi * rates**0.5 * 0.5
-slow, fast = rates[0] * np.exp(-0.25), rates[-1] * np.exp(0.25)  # what is slower is a spring, what is faster a dashpot
+slow, fast = rates[0] * np.exp(-0.25), rates[-1] * np.exp(0.25)  # slower modes: a spring; faster modes: a dashpot
 spring, dash = np.array([slow**0.5, fast**-0.5]) / 0.5 / np.pi
 
 def modes(t, y):

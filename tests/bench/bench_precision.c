@@ -1,12 +1,12 @@
-/* tests/bench/bench_precision.c -- H 18: run time against error. Prints tab separated
- * tables to be kept in figures/step_search/step_search.tsv, and the sentences of the
+/* tests/bench/bench_precision.c -- H 18: run time against error.
+ *
+ * Prints tab separated tables, which are kept in figures/step_search/step_search.tsv, and the sentences of the
  * chapter that say who is ahead: `make bench`, some minutes.
  *
- * The error is the largest of |x_k - x(t_k)| over all coordinates and 80 times, evenly
- * between 0 and T, from the first on (or from t = 2 on, where that is said). A time is
- * processor time and holds all that the problem, the steps or the tolerance decide: of
- * 15 turns (5, if a run takes more than 2 ms, and 3 above 0.1 s) the best, where all near the front
- * takes turns; elsewhere of at most 4 runs in a row. */
+ * The error is the largest |x_k - x(t_k)| over all coordinates and 80 times, evenly spaced in (0, T] (or those
+ * with t >= 2, where the table says so). Each time is processor time. It includes everything that depends on the
+ * problem, the steps or the tolerance. Runs near the front take turns, and the time is the best of 15 turns (5 if
+ * a run takes more than 2 ms, 3 above 0.1 s). The time of another run is the best of at most 4 in a row. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
 #include "bench.h"
 #include "precision.h"
@@ -32,7 +32,7 @@ static void find_truth(int P, double *truth)
                      : "collocation in long double, tests/bench/reference.c");
 }
 
-/* What else ran: a table that was made beside other work says so. */
+/* Print the load by other programs, so that a table that was made beside other work says so. */
 static void print_load(void)
 {
     double load = 0;
@@ -43,7 +43,7 @@ static void print_load(void)
         fclose(file);
 }
 
-/* build/tests/bench_precision -> build/fvi */
+/* Return the path of build/fvi for build/tests/bench_precision. */
 static const char *beside(const char *own)
 {
     static char path[4096];
@@ -57,7 +57,7 @@ int main(int argc, char **argv)
 {
     static double truth[(ROWS + 1) * 1000];
     const int only =
-        argc > 1 ? atoi(argv[1]) : 0; /* while something is tried */
+        argc > 1 ? atoi(argv[1]) : 0; /* one problem alone, for trials */
     r.count = gather(r.all);
     describe();
     print_load();
@@ -68,7 +68,7 @@ int main(int argc, char **argv)
             continue;
         find_truth(P, truth);
         r.trials = 0;
-        for (size_t j = 0; j < 2 * r.count; j++) { /* who may be the fastest goes first */
+        for (size_t j = 0; j < 2 * r.count; j++) { /* contenders that may be the fastest go first */
             const size_t i = j % r.count;
             const contender *c = &r.all[i];
             const int is_fast = c->peer || c->method->dense;

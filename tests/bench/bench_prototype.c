@@ -1,19 +1,20 @@
-/* tests/bench/bench_prototype.c -- H 22: beside the prototype.
- * Tables to be kept in figures/variable_steps/prototype.tsv; `make bench`.
+/* tests/bench/bench_prototype.c -- H 22: the library beside the prototype of variable steps.
  *
- * Steps of any length were first tried in a throwaway program for one coordinate, whose
- * tables of modes were made beforehand, in both forms and with more numbers of stages.
- * All that it was measured by stands here, beside what the library does:
+ * Prints tables, which are kept in figures/variable_steps/prototype.tsv: `make bench`.
  *
- *     orders    at constant steps, by fvi-lobatto3 to 6 and 3d to 6d, t >= 2
- *     runs      the largest error at the ends of the steps or in 400 rows, steps, times over
- *               that of GSL's rk8pd on `spring` with the tolerance 1e-12, each on its machine;
- *               ours is the run with the largest tolerance of 10^{-n/4} that is as exact
- *     alike     the plate's by eight stages once more, ours begun as the prototype's were
- *     alphas    the same with the tolerance 1e-12 for both, for many orders
- *     random    200 linear problems: errors over tolerances
- *     two-runs  the true error of a run over its difference from a finer one
- *     long      many steps
+ * Steps of any length were first tried in a throwaway program for one coordinate, whose tables of modes were made
+ * beforehand, in both forms and with more numbers of stages. All its measurements are here, beside those of the
+ * library:
+ *
+ *       orders    at constant steps, by fvi-lobatto3 to 6 and 3d to 6d, t >= 2
+ *       runs      the largest error at the ends of the steps or in 400 rows, the steps, and the time divided by
+ *                 that of GSL's rk8pd on `spring` with the tolerance 1e-12, each on its machine;
+ *                 the library's run is the one with the largest tolerance 10^{-n/4} that is as exact
+ *       alike     the plate by eight stages once more, with the start of the library's run as the prototype's
+ *       alphas    the same with the tolerance 1e-12 for both, for many orders
+ *       random    200 linear problems: errors divided by tolerances
+ *       two-runs  the true error of a run divided by its difference from a finer one
+ *       long      many steps
  *
  * The problems are those of bench_variable_steps.c. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
@@ -27,7 +28,7 @@
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 
-/* A number that may not be known. */
+/* Print a number that may be unknown. */
 static void known(const char *format, double value)
 {
     if (value > 0)
@@ -38,7 +39,7 @@ static void known(const char *format, double value)
 
 /* ---- orders ---- */
 
-/* The largest errors of x and of v over t >= 2, N steps. */
+/* Compute the largest errors of x and of v over t >= 2 with N steps. */
 static void uniform(const bench_problem *P, const char *method, size_t N,
                     double *of_x, double *of_v)
 {
@@ -58,7 +59,7 @@ static void uniform(const bench_problem *P, const char *method, size_t N,
     }
 }
 
-/* The order from 160 to 320 steps, or from the last doubling that rounding leaves. */
+/* Compute the order from 160 to 320 steps, or from the last doubling whose errors are above rounding. */
 static void order(const bench_problem *P, const char *method, double *of_x,
                   double *of_v)
 {
@@ -113,7 +114,7 @@ static void orders(const bench_problem *all)
 
 /* ---- runs ---- */
 
-/* The largest tolerance whose run is as exact as the prototype's, or 0. */
+/* Return the largest tolerance whose run is as exact as the prototype's, or 0. */
 static double as_exact(const bench_problem *P, its_where where, double wanted,
                        double *error, size_t *steps)
 {
@@ -159,8 +160,8 @@ static void compare(const bench_problem *all)
     printf("#< runs\n");
 }
 
-/* A run of the plate that begins as the prototype's did, 0.1 tolerance^0.4 after 0 and
- * after the jump, and takes the finest modes: the error at the ends, the steps. */
+/* Run the plate with the prototype's first step, 0.1 tolerance^0.4 after 0 and after the jump, and with its
+ * finest modes. Compute the error at the ends of steps. Return the number of steps. */
 static size_t begun_alike(const bench_problem *P, double tolerance,
                           double *error)
 {
@@ -267,7 +268,7 @@ static void long_runs(void)
     printf("#< long\n");
 }
 
-/* fvi_stepper_start and fvi_stepper_free, and no step between. */
+/* Print the time of fvi_stepper_start and fvi_stepper_free, without a step between them. */
 static void set_up(const bench_problem *all)
 {
     printf("\n\n#> start\n# run\ttolerance\tmicroseconds of its start\n");

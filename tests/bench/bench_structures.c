@@ -1,11 +1,10 @@
-/* tests/bench/bench_structures.c -- H 27: what a long wave costs.
+/* tests/bench/bench_structures.c -- H 27: the cost of a long wave, and of membranes.
  *
- * u_tt + D^{1/2} u = u_xx on d points, from the first sine at rest, h = dx / 2, Algorithm 3
- * with kappa = 1: 1000 steps with the whole past, against the same mode as one oscillator;
- * then 1000 points for more and more steps; then a membrane, C = K / 100, by fvi-stable;
- * then the largest membrane with one damper, and with ten of a tenth of the rows each.
- * Some two minutes, and a gigabyte at d = 10^6; a number of points as the argument runs
- * that wave alone. */
+ * The wave is u_tt + D^{1/2} u = u_xx on d points, from the first sine at rest, h = dx / 2, by Algorithm 3 with
+ * kappa = 1. Prints 1000 steps with the whole past, compared with the same mode as one oscillator; then 1000
+ * points for more and more steps; then a membrane with C = K / 100 by fvi-stable; then the largest membrane with
+ * one damper, and with ten dampers of a tenth of the rows each. It takes some two minutes, and a gigabyte at d =
+ * 10^6. With a number of points as the argument it runs this wave alone. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, getrusage, uname */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
@@ -33,7 +32,7 @@ static fvi_run run_of(const fvi_system *system, double *x0, double *p0,
     return run;
 }
 
-/* The amplitude in the end of the mode with eigenvalue k. */
+/* Return the amplitude at the end of the mode with the eigenvalue k. */
 static double one_oscillator(double k, double h, size_t steps)
 {
     static double x[MOST + 1];
@@ -48,7 +47,7 @@ static double one_oscillator(double k, double h, size_t steps)
     return x[steps];
 }
 
-/* A row: d, steps, and what they cost. */
+/* Print a row: d, steps, and their cost. */
 static void wave(size_t d, size_t steps, int with_room)
 {
     const double pi = 3.14159265358979324, dx = 1 / ((double)d + 1);
@@ -81,14 +80,14 @@ static void wave(size_t d, size_t steps, int with_room)
     getrusage(RUSAGE_SELF, &used);
     printf("%zu\t%zu\t%.3g\t%.3g\t%.2g", d, steps, seconds,
            1e9 * seconds / (double)steps / (double)d, far);
-    if (with_room) /* the largest that the process has been so far */
+    if (with_room) /* the largest size of the process so far */
         printf("\t%.2g", (double)used.ru_maxrss * 1024e-9);
     putchar('\n');
     fflush(stdout);
 }
 
-/* Five points, by m + 1 to the square, times `factor`: between those of the points from `first` to
- * `last` - 1 that are in one of `parts` parts. */
+/* Assemble `factor` times the five-point difference, divided by dx^2 = 1 / (m + 1)^2, between those points from
+ * `first` to `last` - 1 that are in one of `parts` parts. */
 static void laplace_between(int m, double factor, int first, int last, int parts,
                             fvi_sparse *A)
 {
@@ -115,7 +114,7 @@ static void laplace(int m, double factor, fvi_sparse *A)
     laplace_between(m, factor, 0, m * m, 1, A);
 }
 
-/* A row: d, ms for the factors and the start, ns per unknown and step. */
+/* Print a row: d, ms for the factors and the start, ns for an unknown and step. */
 static void membrane(int m)
 {
     const size_t d = (size_t)(m * m);
@@ -157,7 +156,7 @@ static void membrane(int m)
     free(x0);
 }
 
-/* ns per unknown and step of `count` dampers whose histories have all unknowns together. */
+/* Return the ns for an unknown and step with `count` dampers whose histories together have all unknowns. */
 static double steps_of_dampers(const fvi_sparse *M, const fvi_sparse *K, int m, int count)
 {
     const size_t d = M->n;
@@ -181,7 +180,7 @@ static double steps_of_dampers(const fvi_sparse *M, const fvi_sparse *K, int m, 
         x0[i] = sin((double)i);
     const fvi_system system = fvi_structure_system(structure);
     fvi_run run = run_of(&system, x0, x0 + d, 1 / ((double)m + 1), STEPS);
-    run.past = FVI_INITIAL_HISTORY_HELD; /* each damper has its own */
+    run.past = FVI_INITIAL_HISTORY_HELD; /* each damper has its own past */
     if (fvi_stepper_start(&fvi_cq2_midpoint, &run, &s, NULL))
         exit(EXIT_FAILURE);
     const double started = now();
@@ -197,7 +196,7 @@ static double steps_of_dampers(const fvi_sparse *M, const fvi_sparse *K, int m, 
     return ns;
 }
 
-/* A row: d, the least times of one damper and of ten, and their ratio. */
+/* Print a row: d, the least times of one damper and of ten, and their ratio. */
 static void several_dampers(int m)
 {
     const size_t d = (size_t)(m * m);

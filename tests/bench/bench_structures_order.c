@@ -1,9 +1,11 @@
-/* tests/bench/bench_structures_order.c -- H 27: what a digit costs, by order 2 and by high order.
+/* tests/bench/bench_structures_order.c -- H 27: the cost of a digit, by a method of order 2 and by methods of
+ * high order.
  *
- * Five storeys with three kinds of dampers up to t = 60, and a beam of 16 elements with C = K/100 up to t = 2, let
- * go from a bend: the largest error of any unknown in 60 rows, against fvi-adaptive with steps right to 1e-14, and
- * the time of the processor, the start of the run included. Then what 1e-10 costs, beside 1e-4 by fvi-stable, and a step
- * of a membrane of 99,856 unknowns, with one damper and with C = K/100. One minute. */
+ * The systems are five storeys with three kinds of dampers up to t = 60, and a beam of 16 elements with C = K/100
+ * up to t = 2 that is bent and let go. Prints the largest error of any unknown in 60 rows, compared with
+ * fvi-adaptive with errors of 1e-14 for a step, and the processor time, the start of the run included. Then the
+ * cost of an error of 1e-10, beside 1e-4 by fvi-stable; and a step of a membrane of 99,856 unknowns, with one
+ * damper and with C = K/100. One minute. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
 #include <fvi/fvi.h>
 #include <fvi/structures.h>
@@ -17,7 +19,7 @@
 
 enum { ROWS = 60, FLOORS = 5, ELEMENTS = 16, SIDE = 316 };
 
-/* A motion from x0 and p0 at rest in its rows, and its rows as they should be. */
+/* A motion from x0 and p0, and its exact rows. */
 typedef struct {
     fvi_system system;
     double T, *x0, *p0, *rows;
@@ -38,8 +40,8 @@ static double *numbers(size_t n)
 
 /* ---- systems ---- */
 
-/* Mass 1 and stiffness 100, a springpot below the first floor, a power of an order above 1 below the third, a
- * dashpot with a fraction beside it below the fifth. */
+/* Mass 1 and stiffness 100; a springpot below the first floor, a power of an order above 1 below the third
+ * floor, a dashpot and a fraction below the fifth floor. */
 static motion building(void)
 {
     static fvi_kernel_term term[4] = { { FVI_KERNEL_POWER, 5, 0.3125, 0, 0 },
@@ -71,7 +73,7 @@ static motion building(void)
     return b;
 }
 
-/* Bent by a load at its tip. */
+/* A beam that is bent by a load at its tip. */
 static motion beam_of(void)
 {
     static fvi_sparse M, K, C;
@@ -89,7 +91,7 @@ static motion beam_of(void)
 
 /* ---- errors ---- */
 
-/* The rows of a run with so many steps for each, or of its own; returns the seconds. */
+/* Compute the rows of a run with `per` steps between two rows, or with steps of its own. Return the seconds. */
 static double rows_of(const motion *m, const fvi_method *method, size_t per, double step_error, double *rows)
 {
     const size_t d = m->system.d, parts = method->dense ? 1 : per;
@@ -106,13 +108,14 @@ static double rows_of(const motion *m, const fvi_method *method, size_t per, dou
     return seconds;
 }
 
-/* What a run takes and how far off it is. */
+/* The time and the error of a run. */
 typedef struct {
     const fvi_method *method;
     double seconds, error;
 } point;
 
-/* A row of the table: steps for each row, or the tolerance of a step. The least of many times, as most runs are short. */
+/* Measure a row of the table, with `per` steps between two rows or the tolerance of a step. The time is the
+ * least of many, because most runs are short. */
 static point measure(const motion *m, const fvi_method *method, size_t per, double step_error)
 {
     enum { TIMES = 15 };
@@ -134,21 +137,23 @@ static point measure(const motion *m, const fvi_method *method, size_t per, doub
 static const fvi_method *const methods[] = { &fvi_cq2_midpoint, &fvi_lobatto_d3, &fvi_lobatto_d4, &fvi_lobatto_d6,
                                              &fvi_lobatto_d8 };
 
-/* The fastest run with at most this error, of the two. */
+/* Keep the faster one of two runs with at most this error. */
 static void keep(point *best, point is, double error)
 {
     if (is.error <= error && (!best->method || is.seconds < best->seconds))
         *best = is;
 }
 
-/* 1, 2, 3, 4, 6, 8, 12, ... steps for a row; of the order 2, whose error is sure, powers of 2 alone. */
+/* Return the next number of steps between two rows: 1, 2, 3, 4, 6, 8, 12, ...; for the method of order 2, whose
+ * error is regular, powers of 2 alone. */
 static size_t more(size_t per, int is_stable)
 {
     const size_t power = (per & (per - 1)) == 0;
     return is_stable || per == 1 ? 2 * per : power ? per / 2 * 3 : per / 3 * 4;
 }
 
-/* fvi-stable at an error of 1e-4, between two rows: its steps are as 1/sqrt(error). */
+/* Return the time of fvi-stable at an error of 1e-4, between two measured runs. The number of its steps is
+ * proportional to 1/sqrt(error). */
 static double seconds_of_stable(point coarse, point fine)
 {
     const double share = log(coarse.error / 1e-4) / log(coarse.error / fine.error);
@@ -221,8 +226,8 @@ static void membrane(fvi_sparse *M, fvi_sparse *K, fvi_sparse *C)
     free(t);
 }
 
-/* Seconds to the start, and of one step. The memory of fvi-stable works in blocks of 32 steps, and is whole after 64;
- * that of stages is whole after four steps. */
+/* Return the seconds of one step, and of the start. The memory of fvi-stable works in blocks of 32 steps and
+ * reaches its full cost after 64 steps; that of stages reaches it after four steps. */
 static double step_of(const fvi_system *system, const fvi_method *method, double *start)
 {
     enum { TIMES = 3 };

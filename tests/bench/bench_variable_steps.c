@@ -1,16 +1,17 @@
-/* tests/bench/bench_variable_steps.c -- H 22: what steps of any length take.
- * Tables to be kept in figures/variable_steps/variable_steps.tsv; `make bench`.
+/* tests/bench/bench_variable_steps.c -- H 22: the cost of steps of any length.
  *
- *     plate     x'' + D^{3/2} x + x = 8 for t <= 1, then 0, at rest, T = 20
- *     late      the same, with the jump at t = 0.7310585
- *     spring    x'' + 0.2 x' + x = 0, x(0) = 1, x'(0) = 1/2, T = 20
- *     duffing   x'' + 0.5 D^{0.6} x + x^3 = cos t, at rest, T = 50
- *     chain     32 masses between walls, springs r + r^3, 0.2 D^{0.6} on each, T = 20
- *     kicked    x'' + D^{0.4} x + x = 0, Riemann-Liouville, x(0) = 1, x'(0) = 1/2, T = 20
- *     slow      x'' + D^{0.6} x + x = 0, x(0) = 1, at rest, T = 10^7
+ * Prints tables, which are kept in figures/variable_steps/variable_steps.tsv: `make bench`.
  *
- * The error is the largest |x - x(t)|, at the ends of all steps, and at 400 rows between.
- * A time is the least of several, from fvi_stepper_start to fvi_stepper_free, without rows. */
+ *       plate     x'' + D^{3/2} x + x = 8 for t <= 1, then 0, at rest, T = 20
+ *       late      the same, with the jump at t = 0.7310585
+ *       spring    x'' + 0.2 x' + x = 0, x(0) = 1, x'(0) = 1/2, T = 20
+ *       duffing   x'' + 0.5 D^{0.6} x + x^3 = cos t, at rest, T = 50
+ *       chain     32 masses between walls, springs r + r^3, 0.2 D^{0.6} on each, T = 20
+ *       kicked    x'' + D^{0.4} x + x = 0, Riemann-Liouville, x(0) = 1, x'(0) = 1/2, T = 20
+ *       slow      x'' + D^{0.6} x + x = 0, x(0) = 1, at rest, T = 10^7
+ *
+ * The error is the largest |x - x(t)| at the ends of all steps, and at 400 rows between them. Each time is the
+ * least of several, from fvi_stepper_start to fvi_stepper_free, without rows. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
 #include "variable.h"
 #include "bench.h"

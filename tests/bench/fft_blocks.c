@@ -1,4 +1,4 @@
-/* tests/bench/fft_blocks.c -- The history by convolutions in blocks that double. [H 12] */
+/* tests/bench/fft_blocks.c -- Sum the history by convolutions in blocks whose lengths double. [H 12] */
 #include "fft_blocks.h"
 
 #include <fvi/coefficients.h>
@@ -9,10 +9,10 @@
 
 enum { BASE = 64, MOST_LEVELS = 58 }; /* BASE 2^58 is beyond size_t */
 
-/* A block of BASE 2^j terms meets the weights up to lag twice its length. */
+/* A block of BASE 2^j terms is convolved with the weights up to a lag of twice its length. */
 typedef struct {
     size_t length;
-    double *spectrum; /* of those weights */
+    double *spectrum; /* the transform of these weights */
     gsl_fft_real_wavetable *real;
     gsl_fft_halfcomplex_wavetable *halfcomplex;
 } level;
@@ -21,8 +21,8 @@ struct fft_blocks {
     size_t steps, k, levels;
     double *near;      /* w_0 ... w_{BASE-1}; the arrays below follow it */
     double *terms;     /* term k at [k] */
-    double *sums;      /* of the blocks that are done, in the same places */
-    double *transform; /* as long as the longest, and so is scratch */
+    double *sums;      /* contributions of complete blocks, one sum for each place */
+    double *transform; /* as long as the longest transform */
     double *scratch;
     level level[MOST_LEVELS];
 };
@@ -35,8 +35,8 @@ static size_t count_levels(size_t steps)
     return levels;
 }
 
-/* The longest transform takes two of the longest blocks; all spectra together
- * take less than twice as much. */
+/* The longest transform has the length of two longest blocks. All spectra together have less than twice this
+ * length. */
 static size_t count_numbers(size_t steps)
 {
     const size_t levels = count_levels(steps);
@@ -53,8 +53,8 @@ size_t fft_blocks_bytes(size_t steps)
     return bytes;
 }
 
-/* The weights are written where the longest spectrum belongs; each shorter one
- * begins as a copy of its head. Weights beyond lag `steps` are never used. */
+/* Transform the weights. They are written to the place of the longest spectrum, and each shorter spectrum
+ * begins as a copy of its first part. Weights beyond the lag `steps` are never used. */
 static void transform_weights(fft_blocks *b, double nu)
 {
     double *w = b->level[b->levels - 1].spectrum;
@@ -70,7 +70,7 @@ static void transform_weights(fft_blocks *b, double nu)
     }
 }
 
-/* GSL's cosines for all levels: are they there? */
+/* Make GSL's cosines for all levels. Return whether there was memory for all. */
 static int make_tables(fft_blocks *b)
 {
     for (level *l = b->level; l < b->level + b->levels; l++) {
@@ -128,7 +128,7 @@ void fft_blocks_free(fft_blocks *b)
     free(b);
 }
 
-/* a *= b for two spectra as GSL packs them: r_0, r_1, i_1, ..., r_{n/2}. */
+/* a *= b for two spectra in GSL's format: r_0, r_1, i_1, ..., r_{n/2}. */
 static void multiply(size_t n, double *a, const double *b)
 {
     a[0] *= b[0];
@@ -140,7 +140,7 @@ static void multiply(size_t n, double *a, const double *b)
     a[n - 1] *= b[n - 1];
 }
 
-/* The last `length` terms meet the next `length` sums.              (12.4) */
+/* Add the contributions of the last `length` terms to the next `length` sums. (12.4) */
 static void convolve(fft_blocks *b, const level *l, const double *terms,
                      double *sums, size_t room)
 {
@@ -168,7 +168,7 @@ double fft_blocks_push(fft_blocks *b, double x)
     if (next % BASE != 0 || next >= row)
         return sum;
     size_t j = 0;
-    while (((next / BASE) >> j) % 2 == 0) /* BASE 2^j is what divides `next` */
+    while (((next / BASE) >> j) % 2 == 0) /* BASE 2^j divides `next` */
         j++;
     const level *l = b->level + j;
     convolve(b, l, b->terms + next - l->length, b->sums + next, row - next);

@@ -1,5 +1,4 @@
-/* tests/bench/precision_small.c -- What small and long runs cost: precision.h.
- *                                                                       [H 18] */
+/* tests/bench/precision_small.c -- Time small and long runs: precision.h. [H 18] */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, posix_spawn, uname */
 #include "precision.h"
 #include "bench.h"
@@ -12,11 +11,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-extern char **environ; /* POSIX asks for it so */
+extern char **environ; /* POSIX requires this declaration */
 
-/* Seconds by the wall clock of `program run --steps 200`, its table thrown away. It is
- * spawned, as a shell would: fork would first copy the page tables of this process, which
- * holds much after minutes of other runs. 0 if it failed. */
+/* Return the seconds of `program run --steps 200` by the wall clock, with its table thrown away; 0 if it
+ * failed. The process is spawned, as a shell does it. fork would first copy the page tables of this process,
+ * which are large after minutes of other runs. */
 static double process(const char *program)
 {
     char *words[] = { (char *)program, "run", "--steps", "200", NULL };
@@ -39,7 +38,7 @@ static double process(const char *program)
                         + 1e-9 * (double)(t[1].tv_nsec - t[0].tv_nsec);
 }
 
-/* Seconds of N uniform steps of `fvi` on the plate; 0 if they failed. */
+/* Return the seconds of N uniform steps of `fvi` on the plate; 0 if they failed. */
 static double steps(size_t N)
 {
     const fvi_run run =

@@ -1,4 +1,4 @@
-/* tests/bench/precision_sweep.c -- The runs of the benchmark: precision.h. [H 18] */
+/* tests/bench/precision_sweep.c -- Make the runs of the benchmark: precision.h. [H 18] */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime, uname */
 #include "precision.h"
 #include "bench.h"
@@ -10,8 +10,8 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { RUNS = 4, FEW = 2, HOPELESS = 25, SLOW = 10 }; /* who is near the front is timed again (precision_turns.c) */
-#define BATCH 2e-5 /* seconds that a measurement takes at least */
+enum { RUNS = 4, FEW = 2, HOPELESS = 25, SLOW = 10 }; /* precision_turns.c times runs near the front again */
+#define BATCH 2e-5 /* the shortest measurement in seconds */
 
 size_t gather(contender *all)
 {
@@ -42,7 +42,7 @@ size_t gather(contender *all)
     return count;
 }
 
-/* Nothing that the problem decides is made outside. */
+/* Everything that depends on the problem is made within the measured time. */
 static int run_once(const contender *c, const problem *p, size_t N,
                     double tolerance, double *rows)
 {
@@ -64,8 +64,8 @@ static int run_once(const contender *c, const problem *p, size_t N,
     return status;
 }
 
-/* A look at the clock takes half a microsecond, a run may take no more. So a short run is
- * repeated within one measurement, all that it makes included. */
+/* Reading the clock takes half a microsecond, and a run may take no more. So a short run is repeated within one
+ * measurement, with everything that it makes. */
 int timed_run(const contender *c, const problem *p, size_t N, double tolerance,
               double *rows, double *seconds)
 {
@@ -111,15 +111,15 @@ int last_decade(double error)
     return k;
 }
 
-/* The places that a run of this error and time would win: not far from the front? */
+/* Return whether a run of this error and time is near the front at one of its decades. */
 static int may_matter(double error, double seconds, const double *front)
 {
     const int k = last_decade(error);
     return k >= 1 && (front[k] == 0 || seconds < 2 * front[k]);
 }
 
-/* So many times slower than the front, that of its own side or of the other: HOPELESS, and more
- * steps will not bring it back; SLOW, and no tolerance will. */
+/* Return whether a run is `times` times slower than the front of its own side or of the other side. If it is
+ * HOPELESS, more steps will not help; if it is SLOW, no tolerance will help. */
 static int is_behind(double error, double seconds, double (*all)[DECADES + 1], int times)
 {
     const int k = last_decade(error);
@@ -128,7 +128,7 @@ static int is_behind(double error, double seconds, double (*all)[DECADES + 1], i
                || (all[OURS_THAT_STEP][k] > 0 && seconds > times * all[OURS_THAT_STEP][k]));
 }
 
-/* What a sweep is about, and where its runs are kept. */
+/* The subject of a sweep, and the place of its runs. */
 typedef struct {
     results *r;
     size_t who;
@@ -140,7 +140,7 @@ typedef struct {
     double *front, *least;
 } place;
 
-/* One point: a run or two, and more of them if it may matter. Returns its error. */
+/* Make the runs of one point: one or two, and more of them if they may be near the front. Return the error. */
 static double point(place *o, size_t N, double tolerance, double *seconds)
 {
     double times[RUNS];
@@ -151,7 +151,7 @@ static double point(place *o, size_t N, double tolerance, double *seconds)
         return GSL_POSINF;
     const double error = error_from(o->p, 0, o->rows, o->truth),
                  after = error_from(o->p, 2, o->rows, o->truth);
-    /* The first run may have made tables that are kept, in 10 ms and more: a second one shows. */
+    /* The first run may have made tables that are kept, in 10 ms or more. A second run shows this. */
     if (times[0] < 0.1) {
         timed_run(o->c, o->p, N, tolerance, o->rows, seconds);
         times[0] = smaller(times[0], *seconds);
@@ -175,8 +175,8 @@ static double point(place *o, size_t N, double tolerance, double *seconds)
     return error;
 }
 
-/* More steps: for a peer the next of those that it takes, by a quarter to a half; for ours twice
- * as many. */
+/* Return the next number of steps: for a peer the next one that it accepts, larger by a quarter to a half; for
+ * the library twice as many. */
 static size_t next(const contender *c, size_t N)
 {
     if (!c->peer)
@@ -209,7 +209,8 @@ void sweep(results *r, size_t i, int P, const double *truth, fronts all, double 
         double error = GSL_POSINF, time;
         if (by_steps || !tunes)
             error = point(&o, N, 0, &seconds);
-        /* tolerances about the error; at first all, as some go by them alone */
+        /* tolerances near the error; in the first round all of them, because some methods depend on the
+         * tolerance alone */
         const double most = first ? sqrt(0.1) : smaller(0.1, 30 * error),
                      lowest = by_steps ? larger(1e-14, error / 3e3) : 1e-15;
         if (tunes && (error < 1 || !by_steps) && !is_behind(error, seconds, all, SLOW)

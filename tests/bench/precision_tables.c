@@ -1,5 +1,4 @@
-/* tests/bench/precision_tables.c -- The tables of the benchmark: precision.h.
- *                                                                       [H 18] */
+/* tests/bench/precision_tables.c -- Print the tables of the benchmark: precision.h. [H 18] */
 #include "precision.h"
 #include "system/larger.h"
 
@@ -41,7 +40,7 @@ static void write_number(char *to, size_t n, double x)
                          : "-");
 }
 
-/* Padded too, to be read as they are. */
+/* The columns are padded so that the file can be read as it is. */
 void print_fronts(const results *r, int P)
 {
     static const char row[] =
@@ -83,8 +82,8 @@ double spread_at(const results *r, const timing from[][DECADES + 1], side ours, 
     return a && b ? larger(a->spread, b->spread) : 1;
 }
 
-/* The ratio of a side at a place, the spread, and whose time is the least, to so many letters; "even"
- * where the ratio is no further from 1 than the spread. */
+/* Print the ratio of a side at a place, the spread, and the name with the least time in `width` letters; "even"
+ * if the ratio is no further from 1 than the spread. */
 static void print_place(const results *r, int P, side ours, int k, int width)
 {
     size_t mine = 0, theirs = 0;
@@ -119,7 +118,7 @@ void print_places(const results *r)
     printf("#< places\n\n\n");
 }
 
-/* Milliseconds of every method, by error. */
+/* Print the milliseconds of every method, by error. */
 void print_methods(const results *r, int P)
 {
     printf("# P%d: ms of each method, by error (-: not reached, or "
@@ -169,8 +168,8 @@ void print_ratios(const results *r)
     print_side(r, OURS_THAT_STEP, "the time of ours that step", "ratios-steps");
 }
 
-/* Over the peers: ours, and ours that step; in six digits, as 0.9996 is no tie. For the picture
- * 1e-9 where ours is alone, 1e9 where peers are. */
+/* Print the ratios to the peers for the library, and for its methods that take steps, in six digits, because
+ * 0.9996 is no tie. For the picture 1e-9 means that only the library is as exact, and 1e9 that only peers are. */
 void print_picture(const results *r)
 {
     printf("# picture:\n# decade\tproblem\tours over peer\tby steps\n");
@@ -186,7 +185,7 @@ void print_picture(const results *r)
     printf("\n\n");
 }
 
-/* Our time at 1e-12, by steps, over rk8pd's on the oscillator without memory. */
+/* Print the library's time at 1e-12, by steps, divided by rk8pd's on the oscillator without memory. */
 void print_memory(const results *r)
 {
     static const int with[] = { 0, 2, 3, 4, 8 };

@@ -1,13 +1,12 @@
-/* tests/bench/precision_turns.c -- The runs near the front, timed in turn: precision.h.
- *                                                                       [H 18] */
+/* tests/bench/precision_turns.c -- Time the runs near the front again, in turn: precision.h. [H 18] */
 #include "precision.h"
 
 #include <gsl/gsl_sort.h>
 #include <stdlib.h>
 
 enum { ROUNDS = 15, SOME = 5, FEW = 3, NEAR = 2, MOST_RUNS = 4096 };
-#define LONG 0.1    /* seconds; of such runs there are FEW */
-#define MEDIUM 2e-3 /* and of such ones SOME */
+#define LONG 0.1    /* in seconds; such runs have FEW turns */
+#define MEDIUM 2e-3 /* such runs have SOME turns */
 
 static int rounds_of(double seconds)
 {
@@ -17,7 +16,7 @@ static int rounds_of(double seconds)
 /* One run of one contender, which may be the fastest at several decades. */
 typedef struct {
     const trial *of;
-    timing is; /* N, tolerance, and what it took */
+    timing is; /* N, the tolerance, and its time */
     double seconds[ROUNDS];
 } entrant;
 
@@ -26,8 +25,8 @@ static int is_same(const timing *a, const timing *b)
     return a->N == b->N && a->tolerance == b->tolerance;
 }
 
-/* Is a run with this error within NEAR times the least of its side, at the last decade that it
- * reaches? */
+/* Return whether a run with this error is within NEAR times the least time of its side, at the last decade that
+ * it reaches. */
 static int is_near(const results *r, const timing table[][DECADES + 1], const trial *t,
                    double error)
 {
@@ -51,7 +50,8 @@ static size_t gather_near(const results *r, int P, entrant *all)
     return count;
 }
 
-/* One turn: of two short runs the faster, as the first finds the caches full of another's data. */
+/* Take one turn. Of two short runs the faster one counts, because the first one finds the data of another run
+ * in the caches. */
 static double turn(const results *r, const entrant *e, const problem *p,
                    double *rows)
 {
@@ -64,7 +64,7 @@ static double turn(const results *r, const entrant *e, const problem *p,
     return least;
 }
 
-/* The new time in place of the old one. */
+/* Replace the old time by the new one. */
 static void replace(timing *table, const entrant *e)
 {
     for (int k = 1; k <= DECADES; k++)

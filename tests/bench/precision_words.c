@@ -1,13 +1,12 @@
-/* tests/bench/precision_words.c -- The sentences that say who is ahead: precision.h.
- *                                                                       [H 18] */
+/* tests/bench/precision_words.c -- Print the sentences that say who is ahead: precision.h. [H 18] */
 #include "precision.h"
 
 #include <gsl/gsl_math.h>
 #include <stdio.h>
 #include <string.h>
 
-/* "1e-3 to 1e-6, 1e-9": the decades of P at which ours, up to the side `of`, is ahead; or
- * those at which it is not. */
+/* Write the decades of P at which the library, up to the side `of`, is ahead, or at which it is not: "1e-3 to
+ * 1e-6, 1e-9". */
 static int decades(const results *r, int P, side of, int ours, char *to,
                    size_t n)
 {
@@ -31,7 +30,7 @@ static int decades(const results *r, int P, side of, int ours, char *to,
     return found;
 }
 
-/* Who is ahead on P, where, and by how much at most. */
+/* Print who is ahead on P, at which errors, and by how much at most. */
 static void print_sentence(const results *r, int P)
 {
     char mine[200], theirs[200];
@@ -72,7 +71,7 @@ static void print_sentence(const results *r, int P)
     }
 }
 
-/* Which peers lead somewhere, at how many places, and why. */
+/* Print which peers lead at some place, at how many places, and why. */
 static void print_reasons(const results *r)
 {
     int any = 0;
@@ -96,7 +95,7 @@ static void print_reasons(const results *r)
     }
 }
 
-/* At how many places ours, up to the side `of`, is ahead; or at how many it is not. */
+/* Return the number of places at which the library, up to the side `of`, is ahead, or at which it is not. */
 static int how_many(const results *r, side of, int ours)
 {
     char none[200];
@@ -106,7 +105,8 @@ static int how_many(const results *r, side of, int ours)
     return sum;
 }
 
-/* Where a motion is linear ours need not step; where would who steps be ahead? */
+/* Print where the library's methods with steps would be ahead. (If a motion is linear the library needs no
+ * steps.) */
 static void print_by_steps(const results *r)
 {
     char theirs[200];
@@ -123,7 +123,7 @@ static void print_by_steps(const results *r)
     printf(".\n");
 }
 
-/* At how many places the ratio is no further from 1 than the spread. */
+/* Return the number of places at which the ratio is no further from 1 than the spread. */
 static int undecided(const results *r, side of)
 {
     int sum = 0;

@@ -84,7 +84,7 @@ static void set_up(void)
     };
     for (int P = 0; P < PROBLEMS; P++) {
         all[P] = table[P];
-        all[P].system.force.jumps = &all[P].jump; /* declared to all alike */
+        all[P].system.force.jumps = &all[P].jump; /* all methods are told the jumps */
         all[P].system.force.jump_count = all[P].jump > 0;
     }
 }

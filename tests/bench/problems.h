@@ -6,12 +6,12 @@
 
 enum { ROWS = 80, PROBLEMS = 11 };
 
-/* problem -- what is to be solved, and what is known of it.
+/* problem -- a problem, and its properties.
  *
- *   what     in words
- *   T        rows at k T / ROWS, k = 0, ..., ROWS
- *   jump     the time at which the force jumps, 0 if it does not
- *   linear   for the exact solution (H 11), if d = 1 and U is quadratic; else NULL
+ *   what     a description in words
+ *   T        the rows are at k T / ROWS, k = 0, ..., ROWS
+ *   jump     the time at which the force jumps, 0 if it does not jump
+ *   linear   the problem for the exact solution (H 11), if d = 1 and U is quadratic; else NULL
  *   panel    the longest panel that reference() needs
  *   seconds  a run longer than this is not tried again with more steps */
 typedef struct {
@@ -25,10 +25,10 @@ typedef struct {
     double panel, seconds;
 } problem;
 
-/* problem_number -- P1 is number 0. The first call sets all of them up. */
+/* problem_number -- return problem number P; P1 is number 0. The first call sets up all problems. */
 const problem *problem_number(int P);
 
-/* problem_run -- the run with N steps, by a memory and its tolerance. */
+/* problem_run -- return the run with N steps, with a kind of memory and its tolerance. */
 fvi_run problem_run(const problem *p, size_t N, fvi_history_kind memory,
                     double tolerance);
 

@@ -1,5 +1,5 @@
-/* tests/bench/prototype.h -- What the prototype of steps of any length did, as it was
- * measured: its errors, its steps, its microseconds on its machine.       [H 22] */
+/* tests/bench/prototype.h -- The measurements of the prototype of variable steps: its errors, its steps, its
+ * microseconds on its machine. [H 22] */
 #ifndef BENCH_PROTOTYPE_H
 #define BENCH_PROTOTYPE_H
 
@@ -7,8 +7,8 @@
 
 #define ITS_RK8PD 13.2 /* microseconds */
 
-/* Constant steps, from 160 to 320 or to rounding. Problem 0 the plate, 1 a cosine, 2 a
- * start away from zero. */
+/* Constant steps, from 160 to 320 or until rounding. Problem 0 is the plate, 1 a cosine, 2 a start away from
+ * zero. */
 static const struct {
     int problem;
     char form;
@@ -36,7 +36,7 @@ static const struct {
 
 typedef enum { AT_ENDS, IN_ROWS, IN_80 } its_where;
 
-/* Its form, stages and tolerance; 0 steps or microseconds: not known. */
+/* Form, stages and tolerance of the prototype; 0 steps or microseconds: unknown. */
 static const struct {
     int problem;
     const char *form;
@@ -92,8 +92,8 @@ static const struct {
     { SLOWER_HIGH, "D8", AT_ENDS, 1e-13, 104, 0 },
 };
 
-/* The tolerance 1e-12, eight stages; form M with a force and Caputo's past, form D with
- * Riemann and Liouville's. */
+/* The tolerance is 1e-12, with eight stages: form M with a force and Caputo's past, form D with Riemann and
+ * Liouville's past. */
 static const struct {
     int singular;
     double alpha, error;

@@ -1,4 +1,4 @@
-/* tests/bench/prototype_random.c -- H 22: beside the prototype, on random problems. */
+/* tests/bench/prototype_random.c -- H 22: the library beside the prototype, on random problems. */
 #include "variable.h"
 #include "prototype.h"
 #include "variable_step/variable_step.h"
@@ -54,8 +54,8 @@ static double decades(gsl_rng *r, double low, double high)
     return exp(between(r, log(low), log(high)));
 }
 
-/* m, c and rho over two decades, some almost undamped, every alpha, a third each without
- * a force, with one that ends anywhere, with a cosine; and a tolerance. */
+/* Draw a problem and return a tolerance: m, c and rho over two decades, some almost undamped, every alpha; a
+ * third of the problems each without a force, with a force that ends at any time, with a cosine. */
 static double draw(gsl_rng *r, bench_problem *P)
 {
     const double light = gsl_rng_uniform(r) < 0.15 ? 1e-3 : 1;
@@ -112,7 +112,7 @@ void prototype_random(void)
 
 /* ---- two runs ---- */
 
-/* The rows of a run whose steps are limited, and how long its longest was. */
+/* Compute the rows of a run with a limited length of steps, and the length of its longest step. */
 static double limited(const bench_problem *P, double tolerance, double longest,
                       int growth, double *x)
 {

@@ -1,5 +1,4 @@
-/* tests/bench/reference.c -- What the methods are compared with: problems.h.
- *                                                                       [H 18] */
+/* tests/bench/reference.c -- Compute the reference for the methods: problems.h. [H 18] */
 #include "problems.h"
 #include "system/larger.h"
 
@@ -16,13 +15,13 @@ typedef struct {
     real gamma, unit; /* 2 - beta, 1 / Gamma(gamma) */
     real c[MOST_NODES], b[MOST_NODES], bary[MOST_NODES];
     real A[MOST_NODES][MOST_NODES], B[MOST_NODES][MOST_NODES];
-    real *t;         /* where the panels begin, and T */
+    real *t;         /* the starts of the panels, and T */
     real *V, *X, *P; /* panels n d; panels n d; d: v, x, J(F - grad U) so far */
     real *x, *g, *H, *G; /* d; n d each */
     double *point, *grad, *F;
 } collocation;
 
-/* Gauss's nodes and weights on [0, 1], and barycentric weights. */
+/* Compute Gauss's nodes and weights on [0, 1], and the barycentric weights. */
 static void gauss(int n, real *c, real *b)
 {
     const real pi = acosl(-1);
@@ -44,7 +43,7 @@ static void gauss(int n, real *c, real *b)
     }
 }
 
-/* The polynomials l_j of the nodes at s, into l. */
+/* Compute the polynomials l_j of the nodes at s. */
 static void lagrange(const collocation *o, real s, real *l)
 {
     real sum = 0;
@@ -60,14 +59,15 @@ static void lagrange(const collocation *o, real s, real *l)
         l[j] /= sum;
 }
 
-/* u^e for u > 0, good to some units of rounding; powl, good to one, takes six times as long. */
+/* Return u^e for u > 0 with an error of some units of rounding. powl has an error of one unit, but takes six
+ * times as long. */
 static real power(real u, real e)
 {
     return exp2l(e * log2l(u));
 }
 
-/* w_j += the integral of u^{gamma-1} l_j(t - u) over near <= u <= far: by halves where
- * 0 is too near, and not at all where the rest is below rounding. */
+/* w_j += the integral of u^{gamma-1} l_j(t - u) over near <= u <= far. The range is halved where 0 is too near,
+ * and left out where it is below rounding. */
 static void moments(const collocation *o, real t, real near, real far, real *w)
 {
     const real length = far - near;
@@ -108,7 +108,7 @@ static void tables(collocation *o)
     }
 }
 
-/* Panels that double from 0 and from the jump on; returns how many. */
+/* Make the panels, which double from 0 and from the jump on. Return their number. */
 static size_t mesh(const problem *p, real longest, real *t)
 {
     const real ends[] = { p->jump > 0 ? p->jump : p->T, p->T };
@@ -127,7 +127,7 @@ static size_t mesh(const problem *p, real longest, real *t)
     return k;
 }
 
-/* H at node i of panel k: all of the panels before. */
+/* Compute H at node i of panel k, from all panels before k. */
 static void history(collocation *o, size_t k, int i)
 {
     const size_t d = o->d;
@@ -150,7 +150,7 @@ static void history(collocation *o, size_t k, int i)
     }
 }
 
-/* G = F - grad U at all nodes of panel k; the positions from V. */
+/* Compute G = F - grad U at all nodes of panel k, and the positions from V. */
 static int evaluate_forces(collocation *o, size_t k, const real *V, real *X)
 {
     const size_t d = o->d;
@@ -178,7 +178,7 @@ static int evaluate_forces(collocation *o, size_t k, const real *V, real *X)
     return FVI_SUCCESS;
 }
 
-/* One Picard iteration on panel k; how far V moved, against its size, in *moved. */
+/* Make one Picard iteration on panel k. *moved: the change of V, divided by its size. */
 static int iterate(collocation *o, size_t k, real *V, real *X, real *moved)
 {
     const size_t d = o->d;
@@ -212,7 +212,7 @@ static int iterate(collocation *o, size_t k, real *V, real *X, real *moved)
     return status;
 }
 
-/* The rows within panel k: x is a polynomial through its start and the nodes. */
+/* Write the rows within panel k. x is a polynomial through its start and the nodes. */
 static void write_rows(const collocation *o, size_t k, const real *X,
                        double *rows)
 {
@@ -244,7 +244,7 @@ static int solve_panel(collocation *o, size_t k, double *rows)
     memset(o->H, 0, nd * sizeof *o->H);
     for (int i = 0; i < o->n; i++) {
         history(o, k, i);
-        for (size_t a = 0; a < d; a++) /* the guess: the last velocity */
+        for (size_t a = 0; a < d; a++) /* the first guess is the last velocity */
             V[(size_t)i * d + a] =
                 k ? *(V + a - d) : o->p->p0[a] / o->p->system.mass[a];
     }
@@ -252,7 +252,7 @@ static int solve_panel(collocation *o, size_t k, double *rows)
         int status = iterate(o, k, V, X, &moved);
         if (status || i == 400 || moved != moved)
             return status ? status : FVI_EMAXITER;
-        after += moved < 1e-15L; /* grad U is a double, whose last digit moves a velocity of a light mass by this */
+        after += moved < 1e-15L; /* the last digit of grad U, a double, moves a light mass by this much */
     }
     int status = evaluate_forces(o, k, V, X);
     write_rows(o, k, X, rows);

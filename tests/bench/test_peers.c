@@ -22,7 +22,7 @@ static const peer *named(const char *name)
     return NULL;
 }
 
-/* The truth of a linear motion, time by time, is a peer. */
+/* The truth of a linear motion: the exact solution, time by time, which is also a peer. */
 static void exact_rows(const problem *p, double *rows)
 {
     const task t = { p, 0, 0 };
@@ -39,7 +39,7 @@ static double distance(const problem *p, const double *a, const double *b)
     return worst;
 }
 
-/* The largest error of all rows. */
+/* Return the largest error over all rows. */
 static double error_of(const char *name, int P, size_t N, double tolerance,
                        const double *truth)
 {
@@ -51,7 +51,7 @@ static double error_of(const char *name, int P, size_t N, double tolerance,
     return distance(p, rows, truth);
 }
 
-/* The errors of N and 2 N fall by 2^order, within a fifth of an order or more exactly. */
+/* Check that the errors of N and 2 N steps fall by 2^order, within a fifth of an order or better. */
 static void ck_assert_order(const char *name, int P, size_t N, double order,
                             const double *truth)
 {
@@ -66,8 +66,8 @@ static void ck_assert_order(const char *name, int P, size_t N, double order,
 
 /* ---- the truth ---- */
 
-/* In long double, and F and grad U in double: some units of rounding. Seen: 1.8e-15. The
- * last: with a velocity and an order above 1. */
+/* The reference is computed in long double, F and grad U in double, so some units of rounding remain. Seen:
+ * 1.8e-15. The last problem has a velocity and an order above 1. */
 START_TEST(eq_18_4_collocation_on_graded_panels_is_exact)
 {
     static const int linear[] = { 2, 6 };
@@ -93,9 +93,8 @@ START_TEST(eq_18_4_collocation_on_graded_panels_is_exact)
 }
 END_TEST
 
-/* Other nodes and panels, the same solution; and two methods that have nothing in common
- * with it agree with it: a Radau IIA convolution quadrature, and fvi-lobatto4, whose order
- * near the start is low, at t = T. */
+/* Other nodes and panels give the same solution. Two methods that share nothing with the reference agree with
+ * it: a Radau IIA convolution quadrature, and, at t = T, fvi-lobatto4, whose order near the start is low. */
 START_TEST(eq_18_4_other_panels_and_other_methods_agree)
 {
     static const int nonlinear[] = { 5, 9 };
@@ -123,8 +122,8 @@ END_TEST
 
 /* ---- the peers ---- */
 
-/* Product integration and the linear multistep methods are of order 2, at any order of
- * the damping, also where a jump of F is met by a step. */
+/* Product integration and the linear multistep methods are of order 2, at any order of the damping, also if a
+ * step ends at a jump of F. */
 START_TEST(eq_18_4_methods_of_order_two)
 {
     static const char *const names[] = { "product trapezoid",
@@ -157,7 +156,7 @@ START_TEST(eq_18_4_methods_of_order_two_on_a_pendulum_and_a_chain)
 }
 END_TEST
 
-/* The formula is of order 2 where v' is smooth; a jump of it leaves 3/2 (seen; no theorem). */
+/* The formula is of order 2 if v' is smooth. After a jump of v' the order is 3/2 (seen; no theorem). */
 START_TEST(the_fast_formula_after_a_jump)
 {
     double want[ROWS + 1];
@@ -166,7 +165,7 @@ START_TEST(the_fast_formula_after_a_jump)
 }
 END_TEST
 
-/* Without memory s stages have the order 2 s - 1; 5 and 7 of them reach rounding. */
+/* Without memory s stages have the order 2 s - 1. 5 and 7 stages reach rounding. */
 START_TEST(radau_methods_have_their_order)
 {
     double want[ROWS + 1];
@@ -174,14 +173,13 @@ START_TEST(radau_methods_have_their_order)
     ck_assert_order("Radau IIA 2", 2, 160, 3, want);
     ck_assert_order("Radau IIA 3", 2, 160, 5, want);
     ck_assert_order("Radau IIA 5", 2, 20, 7,
-                    want); /* rows within steps: s + 2 */
+                    want); /* rows within steps: order s + 2 */
     ck_assert_double_lt(error_of("Radau IIA 7", 2, 80, 0, want), 2e-14);
 }
 END_TEST
 
-/* With memory s stages have at least s + 1 on steps of one length, where the jump is met
- * and the start is smooth enough; graded steps reach rounding, whatever alpha and wherever
- * the jump. Seen: 4e-14. */
+/* With memory s stages have at least the order s + 1 on steps of one length, if a step ends at the jump and the
+ * start is smooth enough. Graded steps reach rounding for every alpha and every time of the jump. Seen: 4e-14. */
 START_TEST(radau_convolution_quadrature_converges)
 {
     double want[ROWS + 1];
@@ -201,7 +199,7 @@ START_TEST(radau_convolution_quadrature_converges)
 }
 END_TEST
 
-/* A tolerance t lets no more than about 10 t into the positions, and saves modes. */
+/* A tolerance t causes errors of the positions of at most about 10 t, and saves modes. */
 START_TEST(radau_memories_keep_their_tolerance)
 {
     double want[ROWS + 1];
@@ -214,8 +212,8 @@ START_TEST(radau_memories_keep_their_tolerance)
 }
 END_TEST
 
-/* The modes are the weights: with a tolerance t the same rows to about t, at orders on both
- * sides of 1. Seen: 0.9 t. */
+/* Modes replace the weights. With a tolerance t the rows agree to about t, at orders on both sides of 1. Seen:
+ * 0.9 t. */
 START_TEST(modes_of_the_trapezoidal_rule_are_its_weights)
 {
     static const int of[] = { 1, 2, 3, 8 };
@@ -257,8 +255,8 @@ START_TEST(solvers_of_ordinary_differential_equations)
 }
 END_TEST
 
-/* The series of x^3 and of sin x, which no problem of the benchmark without a memory has,
- * against Prince and Dormand's method; and two masses by RK8. */
+/* Compare the series of x^3 and of sin x with Prince and Dormand's method, because no problem of the benchmark
+ * without a memory has these forces; and two masses by RK8. */
 START_TEST(taylor_series_of_other_forces)
 {
     static const double one = 1, hard[] = { 0.5, 1 }, pair[] = { 1, 0 },
@@ -317,8 +315,8 @@ END_TEST
 
 /* ---- the history by FFT ---- */
 
-/* The largest difference, over all k, of the sums of random terms by blocks and by a kind of
- * the library's. */
+/* Return the largest difference, over all k, of the sums of random terms by blocks and by a kind of memory of
+ * the library. */
 static double blocks_against(fvi_history_kind kind, double nu, size_t N)
 {
     gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
@@ -339,15 +337,14 @@ static double blocks_against(fvi_history_kind kind, double nu, size_t N)
     return worst;
 }
 
-/* (12.4). Each output of a transform of length n = 2L passes log2(n) additions
- * and products with a cosine, each good to 8 u (the cosine's own error, 2 pi u
- * at most, included): 8 log2(n) u times the sum of what went in. Three
- * transforms and a product: y is off by (24 log2(n) + 4) u ||w||_1 ||x||_2,
- * ||w||_1 <= 2 and ||x||_2 <= sqrt(L) max|x|. The blocks that meet one k have
- * different L = 64 2^j <= N: sum sqrt(L) <= 3.42 sqrt(N). That is absolute, not
- * relative to the small far weights. The two direct parts: 8 N u, as sum |w_n|
- * <= 2 and the lanes add N/8 terms. Seen: 2.2e-15 where 3e-11
- * is allowed (roundings do not conspire); a lag of one off is 1e-6 and more. */
+/* (12.4). Each output of a transform of length n = 2L passes log2(n) additions and products with a cosine. Each
+ * of them has an error of at most 8 u, which includes the cosine's own error of 2 pi u: 8 log2(n) u times the
+ * sum of the inputs. With three transforms and a product y has an error of (24 log2(n) + 4) u ||w||_1 ||x||_2,
+ * where ||w||_1 <= 2 and ||x||_2 <= sqrt(L) max|x|. The blocks that contribute to one k have different L = 64
+ * 2^j <= N, and the sum of sqrt(L) is <= 3.42 sqrt(N). This bound is absolute, not relative to the small far
+ * weights. The two direct parts have errors of 8 N u, as sum |w_n| <= 2 and the lanes add N/8 terms. Seen:
+ * 2.2e-15 where 3e-11 is allowed, because rounding errors do not all have the same sign. A lag that is wrong by
+ * one gives 1e-6 and more. */
 START_TEST(eq_12_4_blocks_of_convolutions_are_the_direct_sum)
 {
     const size_t lengths[] = { 1, 63, 64, 65, 127, 128, 129, 640, 1000, 4095 };
@@ -363,8 +360,8 @@ START_TEST(eq_12_4_blocks_of_convolutions_are_the_direct_sum)
 }
 END_TEST
 
-/* And the modes, which share nothing with the blocks, at 300,000 steps: sum |w_n| <= 2 and
- * delta = 1e-14 of each weight. As above roundings do not conspire. Seen: 2.2e-15. */
+/* Modes share nothing with the blocks. 300,000 steps: sum |w_n| <= 2, and each weight has an error of delta =
+ * 1e-14. Seen: 2.2e-15, because rounding errors do not all have the same sign. */
 START_TEST(eq_12_4_blocks_of_convolutions_are_the_modes)
 {
     const double off = blocks_against(FVI_HISTORY_MODES, 0.5, 300000);

@@ -45,7 +45,7 @@ void bench_linear(bench_problem *P, const char *name, double alpha,
                              .v0 = of[4] };
 }
 
-/* The two numbers of a force, where they stay. */
+/* Store the two numbers of a force in the problem, where they stay. Return their place. */
 static double *kept(bench_problem *P, double A, double T_or_w)
 {
     P->fixed[6] = P->exact.A = A;
@@ -160,12 +160,12 @@ double bench_seconds(const bench_problem *P, double tolerance)
         bench_steps(P, tolerance, NULL, NULL);
         const double took = now() - start;
         least =
-            took > 0 ? smaller(least, took) : least; /* the clock may stand */
+            took > 0 ? smaller(least, took) : least; /* the clock may not have moved */
     }
     return least;
 }
 
-/* x at the ends of steps: exactly; or by a finer run, of the first coordinate. */
+/* Compute x at the ends of steps: exactly, or, for the first coordinate, by a run with smaller errors. */
 static void truth_at(const bench_problem *P, size_t n, const double *t,
                      double *x)
 {
@@ -244,7 +244,7 @@ double bench_over_rk8pd(const bench_problem *P, double tolerance,
             if (i < 5)
                 bench_steps(P, tolerance, NULL, NULL);
             const double b = now() - start;
-            its = a > 0 ? smaller(its, a) : its; /* the clock may stand */
+            its = a > 0 ? smaller(its, a) : its; /* the clock may not have moved */
             ours = b > 0 && i < 5 ? smaller(ours, b) : ours;
         }
     if (seconds)

@@ -1,4 +1,4 @@
-"""A problem, its motion, and what can be asked of it."""
+"""A problem, its motion, and the questions that a solution answers."""
 #> example
 import fvi
 

@@ -1,4 +1,4 @@
-"""The same with torch: alpha, rho and a spring are tensors."""
+"""Fit alpha, rho and a spring to a motion with torch: all three are tensors."""
 #> example
 import fvi
 import fvi.torch

@@ -1,4 +1,4 @@
-"""What did it depend on?"""
+"""How much does the last position depend on each parameter?"""
 #> example
 import fvi
 import numpy as np

@@ -1,4 +1,4 @@
-"""A ball on a table: its impacts, its tops, and a stop."""
+"""A ball on a table: its impacts, its highest points, and a stop."""
 #> example
 import fvi
 
@@ -8,6 +8,6 @@ s = fvi.solve(ball, events=["x : impact:0.8", tops])
 for t, p in zip(s.t_events[0], s.p_events[0][:, 0]):
     print(f"at t = {t:.4f} it leaves the table with p = {p:.4f}")
 print(f"the first top, at t = {s.t_events[1][0]:.4f}, is {s.x_events[1][0, 0]:.4f} high")
-caught = fvi.solve(ball, events=fvi.Event(lambda t, x, p: x - 0.5, "stop"))  # a function of yours
+caught = fvi.solve(ball, events=fvi.Event(lambda t, x, p: x - 0.5, "stop"))  # your own function
 print(f"caught at t = {caught.t_events[0][0]:.6f}, after {len(caught.t)} rows")
 #< example

@@ -1,11 +1,11 @@
-/* tests/example/moving.c -- The example of README.md as it was in 0.2, with today's names. */
+/* tests/example/moving.c -- The example of README.md as it was in version 0.2, with today's names. */
 #include <fvi/fvi.h>
 
 #include <stdio.h>
 
 //> trajectory
-/* What 0.2 had: a whole run into arrays, each of which may be NULL. The energy is that of the last
- * step up to a row. */
+/* The function fvi_trajectory of version 0.2: write a whole run into arrays, each of which may be NULL.
+ * The energy of a row is the energy at the end of the last step up to the row. */
 static int fvi_trajectory(const fvi_method *method, const fvi_run *run, double *x,
                           double *p, double *energy)
 {
@@ -33,7 +33,7 @@ int main(void)
                                 .damping = &rho,
                                 .potential = fvi_potential_duffing(spring) };
     fvi_run run = fvi_run_default(&system, &one, &p0, 0.1, 200);
-    run.alpha = 0.3; /* the rest is at rest until t = 0 */
+    run.alpha = 0.3; /* the body is at rest until t = 0 */
     double x[201];
     const int status = fvi_trajectory(&fvi_lobatto_m3, &run, x, NULL, NULL);
     for (size_t k = 0; status == 0 && k <= 200; k++)

@@ -1,10 +1,10 @@
-/* tests/example/observer.c -- What a damper does, from C: the example of the page on reports. */
+/* tests/example/observer.c -- The force of a damper, from C: the example of the page on reports. */
 #include <fvi/fvi.h>
 #include <fvi/observer.h>
 #include <stdio.h>
 
 //> example
-/* A body on a spring and a springpot: place, velocity, and the force of the springpot. */
+/* A body on a spring and a springpot: print its position, its velocity, and the force of the springpot. */
 int main(void)
 {
     const double one = 1, rho = 0.4, p0 = 0.5;

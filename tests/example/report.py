@@ -1,4 +1,4 @@
-"""The whole report on a frame that is shaken: floors, peaks for four orders, a spectrum, a loop."""
+"""The whole report on a frame in an earthquake: floors, peaks for four orders, a spectrum, a loop."""
 #> example
 import fvi
 import matplotlib.pyplot as plt
@@ -12,7 +12,7 @@ names = "t,drift=x2-x1,floor=a2+ag,force=d1.force1,work,balance"
 def write(path, columns):
     np.savetxt(path, np.column_stack(list(columns.values())), "%.17g", ",", header=",".join(columns), comments="")
 
-s = fvi.solve(frame, checkpoint="build/frame.npz", **how)  # goes on where it was stopped
+s = fvi.solve(frame, checkpoint="build/frame.npz", **how)  # continues a run that was stopped
 write("build/floors.csv", s.table(names))
 peaks = "peak(x1),peak(drift),peak(floor),at(peak(floor)),peak(force)"
 print("order", peaks, sep=",")

@@ -1,4 +1,4 @@
-"""How high a resonance is, for forty frequencies and two orders, on all cores."""
+"""The height of a resonance for forty frequencies and two orders, on all cores."""
 #> example
 import fvi
 import numpy as np

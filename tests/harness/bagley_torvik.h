@@ -1,4 +1,5 @@
-/* tests/harness/bagley_torvik.h -- Bagley and Torvik's plate in a fluid, which is pushed until t = 1. */
+/* tests/harness/bagley_torvik.h -- The problem of Bagley and Torvik, a plate in a fluid that a force pushes until
+ * t = 1. */
 #ifndef BAGLEY_TORVIK_H
 #define BAGLEY_TORVIK_H
 

@@ -1,4 +1,4 @@
-/* tests/harness/energy.h -- The energy as a number: NaN if it cannot be had. */
+/* tests/harness/energy.h -- Return the energy as a number, NaN if fvi_energy fails. */
 #ifndef ENERGY_H
 #define ENERGY_H
 

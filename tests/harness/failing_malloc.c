@@ -1,7 +1,8 @@
-/* tests/harness/failing_malloc.c -- A library to be preloaded, in which one allocation
- * fails: the one whose number MALLOC_FAILS says, from 1 on, of each process. Where
- * MALLOC_FAILED names a file, that is then made, empty, so that whoever counts knows
- * that there were so many. Allocations that the C library makes for itself count too. */
+/* tests/harness/failing_malloc.c -- A library to preload, which lets one allocation of each process fail.
+ *
+ * The environment variable MALLOC_FAILS is the number of this allocation, counted from 1. If MALLOC_FAILED names
+ * a file, an empty file of this name is created when the allocation fails, so that the caller knows that the
+ * process had so many allocations. Allocations that the C library makes for itself count, too. */
 #define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>
@@ -9,7 +10,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-/* glibc's own, beneath those that it lets others replace. */
+/* glibc's own functions, below those that a program may replace. */
 void *__libc_malloc(size_t bytes);
 void *__libc_calloc(size_t count, size_t bytes);
 void *__libc_realloc(void *old, size_t bytes);
@@ -17,9 +18,9 @@ void *__libc_memalign(size_t alignment, size_t bytes);
 
 static atomic_ulong done, wanted;
 
-/* From here on allocations are counted. The loader calls this function after those of all
- * other libraries, so what libgfortran and libgomp, on which CHOLMOD stands, allocate before
- * main is not counted: they end the process if they get nothing. */
+/* Begin to count. The loader calls this function after the constructors of all other libraries. So allocations
+ * that libgfortran and libgomp (CHOLMOD needs them) make before main are not counted; they would end the
+ * process if one failed. */
 __attribute__((constructor)) static void begin_to_count(void)
 {
     const char *number = getenv("MALLOC_FAILS");

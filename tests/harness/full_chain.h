@@ -1,10 +1,10 @@
-/* tests/harness/full_chain.h -- A chain's Hessian as a full matrix: the same runs by another road. */
+/* tests/harness/full_chain.h -- The Hessian of a chain as a full matrix, so that the library cannot use its band. */
 #ifndef FULL_CHAIN_H
 #define FULL_CHAIN_H
 
 #include <fvi/system.h>
 
-/* Of fvi_potential_chain(params); for a potential whose diagonals are 0. */
+/* Write the Hessian of fvi_potential_chain(params), for a potential that gives no diagonals. */
 static inline int full_chain_hessian(size_t d, const double *x, void *params,
                                      double *H)
 {

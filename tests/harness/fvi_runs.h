@@ -7,7 +7,7 @@
 #include <fvi/paper/algorithm_3.h>
 #include "ulp.h"
 
-/* U = c x^2/2 + g x^3/3 in one dimension. */
+/* The potential U = c x^2/2 + g x^3/3 in one dimension. */
 static inline int cubic_value(size_t d, const double *x, void *params,
                               double *value)
 {
@@ -53,7 +53,7 @@ static inline fvi_potential potential(int kind, const double cg[2])
     }
 }
 
-/* How to run, and a system in one dimension. */
+/* The parameters of a run, and a system in one dimension. */
 typedef struct {
     double alpha, kappa, h;
     size_t steps;
@@ -64,7 +64,7 @@ typedef struct {
     fvi_force force;
 } setup;
 
-/* Some system by `a`; x and p may be NULL. */
+/* Run any system with the parameters `a`. x and p may be NULL. */
 static inline void run(const fvi_method *method, const setup *a,
                        const fvi_system *system, const double *x0,
                        const double *p0, double *x, double *p)
@@ -100,7 +100,7 @@ static inline void solve_as_printed(const setup *a, double *x)
                      FVI_SUCCESS);
 }
 
-/* max |v_i - w_i|; w may be NULL for zero. */
+/* Return max |v_i - w_i|. w may be NULL, which stands for zeros. */
 static inline double farthest(size_t n, const double *v, const double *w)
 {
     double max = 0;

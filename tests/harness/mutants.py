@@ -1,20 +1,20 @@
-"""The tests are tested: build each wrong version of tests/*/mutants.txt, run the
-test file that must notice, and see that the named test fails.
+"""Test the tests: build each wrong version of tests/*/mutants.txt, run the test file
+that must notice it, and check that the named test fails.
 
     mutants.py BUILD [STEM ...]     (make mutants; CC, CFLAGS, LIBS from there)
-    mutants.py --lines              (part of make text: does each line stand, and each test?)
+    mutants.py --lines              (part of make text: does each line and each test still exist?)
 
 An entry of tests/*/mutants.txt is four lines and a blank one:
     file   src/methods/fvi.c
-    right  one piece of that file, standing there exactly once
-    wrong  what it becomes
+    right  a piece of this file that occurs there exactly once
+    wrong  its replacement
     named  the test that must fail
-and, where the test can tell them apart only with a header of an optional package, or under a
-sanitizer of the compiler, with which the wrong file is then compiled, a fifth:
+A fifth line is needed if the test can notice the mutant only with a header of an optional package,
+or only if the wrong file is compiled with a sanitizer:
     with   suitesparse/cholmod.h
     under  address
-A mutant that does not compile, survives, or dies without its test fails the run; so does a
-test that fails without a mutant, which would name everything."""
+The run fails if a mutant does not compile, survives, or ends without a failure of its test. It also
+fails if a test fails without a mutant, because such a test would notice every mutant."""
 import concurrent.futures
 import os
 import pathlib
@@ -55,7 +55,7 @@ def entries():
 
 
 def misplaced(entry):
-    """Why this is no mutant of the code as it is; None if it is one."""
+    """Return why this entry does not fit the code as it is; None if it fits."""
     file = pathlib.Path(entry["file"])
     if not file.exists():
         return "there is no such file"
@@ -73,24 +73,24 @@ def compile_object(source, target, *beside):
 
 
 def runs_the_program(test):
-    """Does a test, or a header of its folder that it includes, include program.h?"""
+    """Return whether a test, or a header of its folder that it includes, includes program.h."""
     beside = [test.parent / name for name in re.findall(r'^#include "([\w.]+)"', test.read_text(), re.M)]
     return any(file.name == "program.h" or file.exists() and runs_the_program(file) for file in beside)
 
 
 def build(folder, entry, test):
-    """The test binary, and the program if the test runs it, with the mutant in."""
+    """Build the test with the mutant, and the program if the test runs it."""
     file = pathlib.Path(entry["file"])
     mutant = folder / file.name
     mutant.write_text(file.read_text().replace(entry["right"], entry["wrong"]))
     wrong = compile_object(mutant, folder / "mutant.o", "-I" + str(file.parent), *entry["options"])
     program = [wrong if file.stem == p else BUILD / "mutants" / f"{p}.o" for p in PROGRAM]
-    if file.parent.name == "course":  # a stage stands within its test
+    if file.parent.name == "course":  # a test of the Course includes its stage
         return subprocess.run([*CC, "-w", "-Isrc", "-Itests", f'-DSTAGE="{mutant.resolve()}"', test, BUILD / "libfvi.a", *LIBS,
                                "-o", folder / "test"], check=True)
     library = [] if file.stem in PROGRAM else [wrong]
     library += [BUILD / "peers.a", BUILD / "libfvi.a"]
-    parser = folder / "program.a"  # without main; of it the test takes what it needs
+    parser = folder / "program.a"  # without main; the linker takes the objects that the test needs
     parser.unlink(missing_ok=True)
     subprocess.run(["ar", "rcs", parser, *(o for o, p in zip(program, PROGRAM) if p != "fvi_cli")], check=True)
     subprocess.run([*CC, BUILD / "mutants" / f"{test.stem}.o", parser, *library, *LIBS,
@@ -100,8 +100,8 @@ def build(folder, entry, test):
 
 
 def watched(command, environment, seconds):
-    """Its exit code and what it says. One that does not end is asked to, not killed: Check
-    then ends the test that runs, which is a process of its own."""
+    """Run a command. Return its exit code and its output. A command that does not end is terminated, not
+    killed, so that Check can end the running test, which is a process of its own."""
     with subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
                           text=True) as process:
         try:
@@ -113,7 +113,7 @@ def watched(command, environment, seconds):
 
 
 def run(number, entry):
-    """None if the mutant was named, else what happened; SURVIVED where nothing did."""
+    """Return None if the named test failed, else what happened; SURVIVED if nothing did."""
     if wrong := misplaced(entry):
         return wrong
     try:
@@ -121,7 +121,7 @@ def run(number, entry):
         folder = BUILD / "mutants" / str(number)
         folder.mkdir(parents=True, exist_ok=True)
         build(folder, entry, test)
-        # A mutant may never end; a test as it is ends, also on a machine that is busy.
+        # A mutant may never end. A test without a mutant ends, also on a busy machine, so it gets more time.
         busy = 1 if entry["wrong"] != entry["right"] else 10
         environment = dict(os.environ, FVI=str(folder / "fvi"), CK_VERBOSITY="normal",
                            CK_DEFAULT_TIMEOUT=str(20 * busy), ASAN_OPTIONS="detect_leaks=0", CPATH=str(pathlib.Path("src").resolve()))

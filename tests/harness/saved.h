@@ -1,4 +1,5 @@
-/* tests/harness/saved.h -- The state of a stepper, and of what goes with it, saved in memory and restored in another. */
+/* tests/harness/saved.h -- Save the state of a stepper (and of objects that belong to it) in memory, and restore
+ * it in another one. */
 #ifndef SAVED_H
 #define SAVED_H
 
@@ -10,7 +11,7 @@
 #include <string.h>
 
 typedef struct {
-    fvi_archive archive; /* the first: a pointer to it is one to this */
+    fvi_archive archive; /* the first member, so that a pointer to it is a pointer to the saved_state */
     char *room;
     size_t at, size;
     int is_saved;
@@ -33,8 +34,8 @@ static inline int pass_saved_piece(fvi_archive *archive, void *data, size_t byte
     return 0;
 }
 
-/* begin_saving -- room for what is archived from now on; free(state.room).
- * begin_restoring -- what is archived from now on gets that. */
+/* begin_saving -- allocate memory for the following calls of archive functions. Free state.room at the end.
+ * begin_restoring -- the following calls of archive functions read this memory. */
 static inline saved_state begin_saving(void)
 {
     enum { ROOM_OF_SAVED = 1 << 20 };

@@ -1,9 +1,8 @@
-/* tests/harness/seen.h -- What a test saw, for the prose to quote.
+/* tests/harness/seen.h -- Write down numbers that tests measure, so that the chapters can quote them.
  *
- * `make seen` runs the tests with SEEN=FILE in the environment: each line of the
- * file is then function/name, a tab, a number. chapters/tools/quoted.py keeps the least
- * and the largest in tests/harness/seen.tsv and holds the chapters to them. Without SEEN
- * nothing is written. */
+ * `make seen` runs the tests with SEEN=FILE in the environment. Each line of the file is function/name, a tab, a
+ * number. chapters/tools/quoted.py keeps the least and the largest number of each name in tests/harness/seen.tsv
+ * and compares the chapters with them. Without SEEN nothing is written. */
 #ifndef SEEN_H
 #define SEEN_H
 
@@ -24,7 +23,7 @@ static inline void seen_in(const char *function, const char *name, double value)
         fprintf(file, "%s/%s\t%.6g\n", function, name, value);
 }
 
-/* A number worth quoting; the rest is a printf format that names it. */
+/* Write down a number. The other arguments are a printf format that names it. */
 #define seen(value, ...)                                                       \
     do {                                                                       \
         char name_[80];                                                        \
@@ -32,7 +31,7 @@ static inline void seen_in(const char *function, const char *name, double value)
         seen_in(__func__, name_, value);                                       \
     } while (0)
 
-/* The same for a line that many numbers pass: written when it is a new largest. */
+/* The same for a line that runs many times: write the number only if it is a new largest one. */
 #define seen_worst(value, name)                                                \
     do {                                                                       \
         static double worst_ = -1;                                             \

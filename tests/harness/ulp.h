@@ -1,7 +1,7 @@
-/* tests/harness/ulp.h -- Comparing doubles in units in the last place.
+/* tests/harness/ulp.h -- Compare doubles in units in the last place.
  *
- * The distance of two doubles is the number of steps from one to the next
- * double that lead from a to b; +0 and -0 are the same place. */
+ * The distance of two doubles a and b is the number of steps from one double to the next one that lead from a to
+ * b. +0 and -0 have the same place. */
 #ifndef ULP_H
 #define ULP_H
 
@@ -14,9 +14,9 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Check writes down each assertion that holds, to say after which one a test crashed:
- * two microseconds, which in long loops is more than what they test. It is told of a
- * line once; of an assertion that fails, it is told always. */
+/* Check writes down each assertion that holds, so that it can say after which one a test crashed. This takes
+ * two microseconds, which in long loops is more than the tested code. So this function tells Check of each line
+ * only once. Check is always told of an assertion that fails. */
 static inline void mark_line_once(const char *file, int line)
 {
     static char told[1 << 10];
@@ -30,13 +30,13 @@ static inline void mark_line_once(const char *file, int line)
 
 #define LEN(array) (sizeof(array) / sizeof((array)[0]))
 
-/* A call of the library that does not fail. */
+/* Call a function of the library that must not fail. */
 #define OK(call) ck_assert_int_eq(call, FVI_SUCCESS)
 
 /* Unit roundoff: the largest relative error of one rounding to nearest. */
 #define U 0x1p-53
 
-/* x < y if and only if place(x) < place(y). */
+/* Return the place of x in the order of doubles: x < y if and only if place(x) < place(y). */
 static inline int64_t ulp_place(double x)
 {
     int64_t i;
@@ -52,8 +52,8 @@ static inline uint64_t ulp_distance(double a, double b)
     return i < j ? (uint64_t)j - (uint64_t)i : (uint64_t)i - (uint64_t)j;
 }
 
-/* got is within ulps steps of want; the rest is a printf format that says where. What
- * holds costs nothing more: no text is made of it, and Check is not told. */
+/* Check that got is within ulps steps of want. The other arguments are a printf format that says where. The
+ * text is made, and Check is told, only if the assertion fails. */
 #define ck_assert_ulp(got, want, ulps, ...)                                    \
     do {                                                                       \
         double got_ = (got), want_ = (want);                                   \
@@ -70,7 +70,7 @@ static inline uint64_t ulp_distance(double a, double b)
         }                                                                      \
     } while (0)
 
-/* |got - want| <= bound, for values near zero or after a cancellation. */
+/* Check |got - want| <= bound, for values near zero or after a cancellation. */
 #define ck_assert_near(got, want, bound, ...)                                  \
     do {                                                                       \
         double got_ = (got), want_ = (want), bound_ = (bound);                 \
@@ -84,7 +84,7 @@ static inline uint64_t ulp_distance(double a, double b)
         }                                                                      \
     } while (0)
 
-/* Run a suite; a run of no test at all is a failure. Exit status for main. */
+/* Run a suite and return the exit status for main. A run without any test is a failure. */
 static inline int run_suite(Suite *suite)
 {
     SRunner *runner = srunner_create(suite);
@@ -97,7 +97,7 @@ static inline int run_suite(Suite *suite)
     return ran == 0 || failed > 0;
 }
 
-/* A test case of the suite, with its tests. */
+/* Add a test case with these tests to the suite. */
 #define ADD_CASE(suite, name, ...)                                             \
     do {                                                                       \
         const TTest *tests_[] = { __VA_ARGS__ };                               \
@@ -108,7 +108,7 @@ static inline int run_suite(Suite *suite)
         suite_add_tcase(suite, case_);                                         \
     } while (0)
 
-/* A test of the suite that runs for _i = 0, ..., count - 1, as a case of its own. */
+/* Add a test that runs for _i = 0, ..., count - 1 to the suite, as a test case of its own. */
 #define ADD_LOOP(suite, test, count)                                           \
     do {                                                                       \
         TCase *case_ = tcase_create(#test);                                    \

@@ -1,5 +1,4 @@
-/* tests/bench/peers/blocks.c -- Discrete convolutions, as they come: blocks.h.
- *                                                                       [H 18] */
+/* tests/bench/peers/blocks.c -- Discrete convolutions of functions that are still being made: blocks.h. [H 18] */
 #include "blocks.h"
 #include "memory/history_kinds.h" /* FVI_VECTORS */
 
@@ -8,16 +7,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A transform pays from this length on: below it the direct sum is faster. */
+/* A transform is faster than the direct sum from this length on. */
 enum { BLOCK = 256, MOST_BITS = 40 };
 
 struct blocks {
     const double *w;
-    double *reversed; /* w_N ... w_0: sums run forwards through two arrays */
+    double *reversed; /* w_N ... w_0, so that sums run forwards through both arrays */
     size_t N, d;
     double *spectrum[MOST_BITS];
     double *g, *sum,
-        *work; /* d rows of N + 1, newest values last; d rows of sums */
+        *work; /* d rows of N + 1 values, the newest last; d rows of sums */
 };
 
 blocks *blocks_alloc(const double *w, size_t N, size_t d)
@@ -29,7 +28,7 @@ blocks *blocks_alloc(const double *w, size_t N, size_t d)
     if (!b)
         return NULL;
     *b = (blocks){ .w = w, .N = N, .d = d };
-    const size_t far = N < 2 * BLOCK ? 0 : N + 1; /* sums that blocks add to */
+    const size_t far = N < 2 * BLOCK ? 0 : N + 1; /* the sums to which blocks contribute */
     b->g = malloc(((d + 1) * (N + 1) + d * far + (far ? longest : 0)) * sizeof *b->g);
     if (!b->g) {
         free(b);
@@ -53,7 +52,7 @@ void blocks_free(blocks *b)
     free(b);
 }
 
-/* v = u times v, both transforms of real sequences of length n. */
+/* v = u times v, for the transforms of real sequences of length n. */
 static void multiply(const double *u, double *v, size_t n)
 {
     v[0] *= u[0];
@@ -65,8 +64,8 @@ static void multiply(const double *u, double *v, size_t n)
     }
 }
 
-/* Before step n: the terms n - L, ..., n - 1 are added to the sums n, ..., n + L - 1,
- * where L is the largest power of two in n. g_0 is not among them. */
+/* Before step n: add the contributions of the terms n - L, ..., n - 1 to the sums n, ..., n + L - 1, where L is
+ * the largest power of two that divides n. g_0 is not one of the terms. */
 static int add_block(blocks *b, size_t n)
 {
     const size_t L = n & -n, size = 2 * L;

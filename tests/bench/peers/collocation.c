@@ -1,16 +1,15 @@
-/* tests/bench/peers/collocation.c -- One linear equation, solved all at once.
+/* tests/bench/peers/collocation.c -- Solve one linear equation for all times at once. [H 18]
  *
- * With 4 alpha whole and F = 0 or constant, x'' is smooth in sqrt(t): it is a sum of
+ * If 4 alpha is an integer and F is 0 or constant, x'' is smooth in sqrt(t). So it is written as a sum of
  * Chebyshev polynomials T_k(2 sqrt(t/T) - 1), k < N, and the equation holds at N nodes,
  *
  *     m x'' + rho (J^{2-beta} x'' + [beta < 1] v0 t^{1-beta} / Gamma(2-beta))
  *           + c (x0 + t v0 + J^2 x'') = F,    beta = 2 alpha.
  *
- * A force that ends is the difference of two that do not, so no jump is left. (M.
- * Zayernouri, G. E. Karniadakis, SIAM J. Sci. Comput. 36 (2014), collocate by powers of
- * t^{1/2}; N. Hale, S. Olver, SIAM J. Sci. Comput. 40 (2018).) The integrals of the
- * polynomials over
- * [0, 1] are numbers of the method and kept.                            [H 18] */
+ * A force that ends is the difference of two forces that do not end, so no jump remains. (M. Zayernouri, G. E.
+ * Karniadakis, SIAM J. Sci. Comput. 36 (2014), collocate by powers of t^{1/2}; N. Hale, S. Olver, SIAM J. Sci.
+ * Comput. 40 (2018).) The integrals of the polynomials over [0, 1] belong to the method and are kept from one run
+ * to the next. */
 #include "memory/history_kinds.h" /* FVI_VECTORS */
 #include "peers.h"
 
@@ -24,8 +23,8 @@ enum {
     KEPT = 64
 }; /* J^2 adds t^2 = s^4 to a degree in s = sqrt(t) */
 
-/* For N polynomials and one gamma: node[i]; J[i * N + k] = J^gamma T_k at node i;
- * T[i * N + k] = T_k there; X[l * N + k]: coefficient l of J^2 T_k. */
+/* The numbers for N polynomials and one gamma: node[i]; J[i * N + k] = J^gamma T_k at node i; T[i * N + k] =
+ * T_k at node i; X[l * N + k]: coefficient l of J^2 T_k. */
 typedef struct {
     size_t N;
     double gamma, *node, *J, *J2, *T, *X;
@@ -38,7 +37,7 @@ static void chebyshev(size_t N, double s, double *T)
         T[k] = k < 2 ? (k ? z : 1) : 2 * z * T[k - 1] - T[k - 2];
 }
 
-/* J^gamma T_k at s^2 = t: with (1 - y^2)^2 t as the variable no root is left. */
+/* Compute J^gamma T_k at s^2 = t. The variable y with (1 - y^2)^2 t removes the root. */
 static void integrals(const gsl_integration_glfixed_table *gauss, size_t N,
                       double gamma, double s, double *work, double *J)
 {
@@ -59,7 +58,7 @@ static int fill(table *t, size_t N, double gamma)
 {
     const size_t M = N + LOST;
     gsl_integration_glfixed_table *gauss =
-        gsl_integration_glfixed_table_alloc(256); /* GSL has these to 1e-16 */
+        gsl_integration_glfixed_table_alloc(256); /* GSL has these nodes to 1e-16 */
     double *block = malloc((N + 4 * N * N + M * N + 2 * M) * sizeof *block);
     if (!gauss || !block)
         return FVI_ENOMEM;
@@ -75,7 +74,7 @@ static int fill(table *t, size_t N, double gamma)
         integrals(gauss, N, 2, t->node[i], work, t->J2 + i * N);
     }
     memset(t->X, 0, M * N * sizeof *t->X);
-    for (size_t i = 0; i < M; i++) { /* at M nodes, to coefficients */
+    for (size_t i = 0; i < M; i++) { /* from values at M nodes to coefficients */
         const double angle = M_PI * ((double)i + 0.5) / (double)M;
         integrals(gauss, N, 2, (1 - cos(angle)) / 2, work, row);
         for (size_t l = 0; l < M; l++)
@@ -107,8 +106,7 @@ FVI_VECTORS static void subtract(size_t n, double f, const double *restrict a,
         b[k] -= f * a[k];
 }
 
-/* Gauss's elimination with exchanges of rows; two columns on the right in each row of
- * width N + 2. */
+/* Solve by Gauss's elimination with exchanges of rows. Each row of width N + 2 has two right sides. */
 static void eliminate(size_t N, double *A)
 {
     const size_t W = N + 2;
@@ -134,7 +132,7 @@ static void eliminate(size_t N, double *A)
         }
 }
 
-/* sum a_l T_l at s, Clenshaw's way */
+/* Return sum a_l T_l at s, by Clenshaw's recurrence. */
 static double value(size_t M, const double *a, double s)
 {
     const double z = 2 * (2 * s - 1);
@@ -157,7 +155,7 @@ static int run(const task *of, double *rows)
     double *A = malloc((N * W + 2 * M) * sizeof *A), *a[2];
     if (!t || !A)
         return FVI_ENOMEM;
-    a[0] = A + N * W; /* without the force; of the force */
+    a[0] = A + N * W; /* the solution without the force; then that of the force alone */
     a[1] = a[0] + M;
     for (size_t i = 0; i < N; i++) {
         const double now = T * t->node[i] * t->node[i];

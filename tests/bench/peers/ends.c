@@ -1,4 +1,4 @@
-/* tests/bench/peers/ends.c -- Sums that go on for ever: ends.h.         [H 18] */
+/* tests/bench/peers/ends.c -- Correct the ends of infinite sums: ends.h. [H 18] */
 #include "ends.h"
 
 #include <math.h>

@@ -1,10 +1,10 @@
-/* tests/bench/peers/ends.h -- Sums that go on for ever.                 [H 18] */
+/* tests/bench/peers/ends.h -- Correct the ends of infinite sums. [H 18] */
 #ifndef ENDS_H
 #define ENDS_H
 
 enum { ENDS = 6, APART = 3 };
 
-/* ends -- what the terms beyond an end of a trapezoid sum in ln s would have added.
+/* ends -- the contribution of the terms beyond one end of a trapezoid sum in ln s.
  *
  *     sum_{q < 0} phi(r^q) r^{nu q} = sum_{l=0}^{5} c_l phi(r^{3 l}),   r = e^L,
  *

@@ -1,7 +1,9 @@
-/* tests/bench/peers/exact.c -- Where the problem is linear and has one mass, its solution
- * need not be stepped to: that of H 11, by residues and a contour integral, time by
- * time, which is a peer, and at all rows together, which is ours; and Podlubny's matrix
- * method, (10.9) (I. Podlubny, Fract. Calc. Appl. Anal. 3 (2000)).      [H 18] */
+/* tests/bench/peers/exact.c -- The exact solution of linear problems with one mass, and Podlubny's matrix method.
+ * [H 18]
+ *
+ * The exact solution of H 11 (residues and a contour integral) needs no steps. Time by time it is a peer; in all
+ * rows together it is the library's. The matrix method is (10.9) (I. Podlubny, Fract. Calc. Appl. Anal. 3
+ * (2000)). */
 #include "peers.h"
 
 #include <fvi/paper/experiments.h>
@@ -20,14 +22,14 @@ static int run_exact(const task *of, double *rows)
     return fvi_exact_at(of->p->linear, ROWS + 1, t, rows, NULL, NULL);
 }
 
-/* At all rows from one contour or a few, to the error that is asked (11.15). */
+/* Compute all rows from one contour or a few, with the wanted error, (11.15). */
 static int run_rows(const task *of, double *rows)
 {
     return fvi_exact_grid(of->p->linear, of->p->T / ROWS, ROWS, of->tolerance,
                           rows, NULL, NULL);
 }
 
-/* From rest, and where the damping is of an order above 1. */
+/* The problem starts from rest, and the order of its damping is above 1. */
 static int from_rest(const problem *p)
 {
     return p->linear && p->alpha > 0.5 && p->linear->x0 == 0

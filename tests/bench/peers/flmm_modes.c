@@ -1,12 +1,13 @@
-/* tests/bench/peers/flmm_modes.c -- The trapezoidal FLMM by exponentials: with
- * delta = 2 (1 - z) / (1 + z) and 0 < gamma < 1
+/* tests/bench/peers/flmm_modes.c -- The trapezoidal FLMM by exponentials. [H 18]
+ *
+ * With delta = 2 (1 - z) / (1 + z), 0 < gamma < 1 and r = (2 - x) / (2 + x)
  *
  *     delta^{-gamma} = sin(pi gamma) / pi int_0^infinity x^{-gamma} / (x + delta) dx,
  *     1 / (x + delta) = 1 / (x + 2) + sum_{n >= 1} 4 / (x + 2)^2 r^{n-1} z^n,
  *
- * r = (2 - x) / (2 + x), by the trapezoid rule in ln x (the idea: M. Lopez-Fernandez, C.
- * Lubich, A. Schaedle, SIAM J. Sci. Comput. 30 (2008)). For 1 < gamma < 2 the running sums
- * of the trapezoidal rule come first, and the modes of gamma - 1 after them.   [H 18] */
+ * by the trapezoid rule in ln x (the idea: M. Lopez-Fernandez, C. Lubich, A. Schaedle, SIAM J. Sci. Comput. 30
+ * (2008)). For 1 < gamma < 2 the running sums of the trapezoidal rule come first, and the modes of gamma - 1
+ * after them. */
 #include "flmm_modes.h"
 #include "ends.h"
 #include "memory/history_kinds.h" /* FVI_VECTORS */
@@ -16,11 +17,11 @@
 #include <stdlib.h>
 
 struct flmm_modes {
-    int Q;              /* modes */
+    int Q;              /* number of modes */
     double *r, *c, *z;  /* w_n = sum_q c_q r_q^{n-1}; z_q = sum_j r_q^{n-1-j} u_j */
-    double order, first; /* gamma, or gamma - 1 above 1; w_0 of that order */
-    int twice;          /* nonzero above 1 */
-    double sum;         /* of all u: the running sums need it, and gamma = 1 */
+    double order, first; /* gamma, or gamma - 1 above 1; w_0 of this order */
+    int twice;          /* nonzero if gamma > 1 */
+    double sum;         /* of all u; for the running sums and for gamma = 1 */
 };
 
 flmm_modes *flmm_modes_alloc(double gamma, size_t N, double tolerance)
@@ -35,7 +36,7 @@ flmm_modes *flmm_modes_alloc(double gamma, size_t N, double tolerance)
     o->first = pow(2, -o->order);
     if (gamma == 1)
         return o;
-    /* the ends: polynomials of degree 5 through six modes below, nothing above */
+    /* the ends: polynomials of degree 5 through six modes at the lower end, no correction at the upper end */
     const double middle = L * APART * (ENDS - 1) / 2.0,
                  low = -log((double)N) - middle - larger(0, digits - 6.6) / ENDS,
                  high = 0.7 + digits / (1 + o->order),

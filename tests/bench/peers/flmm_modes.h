@@ -4,17 +4,17 @@
 
 #include <stddef.h>
 
-/* flmm_modes -- sum_{j=1}^{n-1} w_{n-j} u_j for n = 1, 2, ..., N, the weights those of
- * ((1 + z) / (2 (1 - z)))^gamma, 0 < gamma < 2, by sums of powers r^n.
+/* flmm_modes -- sum_{j=1}^{n-1} w_{n-j} u_j for n = 1, 2, ..., N by sums of powers r^n, where w_n are the
+ * weights of ((1 + z) / (2 (1 - z)))^gamma, 0 < gamma < 2.
  *
- *   tolerance  about what is left out of a weight, against w_0
+ *   tolerance  about the error of a weight, divided by w_0
  *
  * flmm_modes_alloc returns NULL if there is no memory. */
 typedef struct flmm_modes flmm_modes;
 flmm_modes *flmm_modes_alloc(double gamma, size_t N, double tolerance);
 void flmm_modes_free(flmm_modes *o);
 
-/* flmm_modes_sum -- the sum for the next n. flmm_modes_push gives u_n afterwards. */
+/* flmm_modes_sum -- return the sum for the next n. flmm_modes_push hands over u_n afterwards. */
 double flmm_modes_sum(const flmm_modes *o);
 void flmm_modes_push(flmm_modes *o, double u);
 

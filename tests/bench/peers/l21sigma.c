@@ -1,11 +1,10 @@
-/* tests/bench/peers/l21sigma.c -- The fast L2-1_sigma formula, order 2 on uniform steps.
+/* tests/bench/peers/l21sigma.c -- The fast L2-1_sigma formula, order 2 on uniform steps. [H 18]
  *
- * For 0 < b < 1 and sigma = 1 - b/2, D^b u at t_{n + sigma} is that of the quadratics
- * through three nodes each, of the line in the last piece (A. A. Alikhanov, J. Comput.
- * Phys. 280 (2015)); what was before t_n is a sum of exponentials (Y. Yan, Z.-Z. Sun,
- * J. Zhang, Commun. Comput. Phys. 22 (2017)). Here u = x and b = 2 alpha, or u = v and b =
- * 2 alpha - 1. x' = v and m v' are taken at t_{n + sigma} by the slope of the parabola
- * through three nodes.                                                  [H 18] */
+ * For 0 < b < 1 and sigma = 1 - b/2, D^b u at t_{n + sigma} is the derivative of quadratics through three nodes
+ * each, and of a line in the last piece (A. A. Alikhanov, J. Comput. Phys. 280 (2015)). The part of the integral
+ * before t_n is a sum of exponentials (Y. Yan, Z.-Z. Sun, J. Zhang, Commun. Comput. Phys. 22 (2017)). Here u = x
+ * and b = 2 alpha, or u = v and b = 2 alpha - 1. x' = v and m v' at t_{n + sigma} come from the slope of the
+ * parabola through three nodes. */
 #include "ends.h"
 #include "memory/history_kinds.h" /* FVI_VECTORS */
 #include "peers.h"
@@ -21,14 +20,13 @@ typedef struct {
     int of_v, linear;
     double b, sigma, h, scale; /* 1 / Gamma(1 - b) */
     double *om, *decay, *near,
-        *far;               /* modes: weights, e^{-s h}, of two differences */
+        *far;               /* the modes: weights, e^{-s h}, factors of two differences */
     double local, implicit; /* sum om near, of the line; sum om far */
     double *z, *x[3], *v[3], *F, *grad, *at, *r;
 } solver;
 
-/* t^{-b} = 1 / Gamma(b) int s^b e^{-s t} d ln s; z = int_0^{t_n} u' e^{-s (t_n - tau)}
- * where u' is linear in each piece: (u_{n+1} - u_n) / h at its right end plus 1/2, and so
- * on. */
+/* t^{-b} = 1 / Gamma(b) int s^b e^{-s t} d ln s. z = int_0^{t_n} u' e^{-s (t_n - tau)}, where u' is linear in
+ * each piece: its value is (u_{n+1} - u_n) / h at n + 1/2, and so on. */
 static int modes(solver *o, double tolerance)
 {
     const double digits = -log(larger(tolerance, 1e-15)), h = o->h,
@@ -75,7 +73,7 @@ static int modes(solver *o, double tolerance)
     return FVI_SUCCESS;
 }
 
-/* z <- e^{-s h} z + near * before; returns sum om z, without what is implicit. */
+/* z <- e^{-s h} z + near * before. Return sum om z without its implicit part. */
 FVI_VECTORS static double decayed(size_t Q, const double *restrict om,
                                   const double *restrict decay,
                                   const double *restrict near, double before,
@@ -98,7 +96,7 @@ FVI_VECTORS static void complete(size_t Q, const double *restrict far,
         z[q] += far[q] * after;
 }
 
-/* Solve M w + grad U(a + e w) = r for w, w = v_{n+1}; M by coordinates in `M`. */
+/* Solve M w + grad U(a + e w) = r for w = v_{n+1}. M has one number for each coordinate. */
 static int solve(solver *o, const double *M, const double *a, double e,
                  double *w)
 {
@@ -145,7 +143,7 @@ static int step(solver *o, size_t n, double *M, double *a)
         status =
             s->force.value(h * ((double)n + g), o->d, s->force.params, o->F);
     for (size_t j = 0; j < o->d && !status; j++) {
-        /* x_{n+1} = base + h' v_{n+1}; the rest of m v'; of D^b u */
+        /* x_{n+1} = base + h' v_{n+1}; the known parts of m v' and of D^b u */
         const double xs = three ? (4 * g * x[1][j] - (2 * g - 1) * x[0][j])
                                       / (2 * h)
                                 : x[1][j] / h,
@@ -163,7 +161,7 @@ static int step(solver *o, size_t n, double *M, double *a)
         o->r[j] = s->mass[j] * vs + o->F[j]
                   - rho * (past + take * ((o->of_v ? 0 : base) - last));
         a[j] = g * base + (1 - g) * x[1][j];
-        x[2][j] = base; /* and slope v_{n+1} */
+        x[2][j] = base; /* plus slope v_{n+1} */
         v[2][j] = n ? 2 * v[1][j] - v[0][j] : v[1][j];
     }
     if (!status)

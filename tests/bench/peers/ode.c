@@ -1,8 +1,8 @@
-/* tests/bench/peers/ode.c -- alpha = 1/2: x' = v, m v' = F - grad U(x) - rho v is an
- * ordinary differential equation. GSL's rk8pd (P. J. Prince, J. R. Dormand, J. Comput.
- * Appl. Math. 7 (1981)) with its step control, and with steps of one length. The Radau
- * IIA methods are in radau.c, Euler's methods in the table of the library.
- *                                                                       [H 18] */
+/* tests/bench/peers/ode.c -- Solvers of ordinary differential equations, for alpha = 1/2. [H 18]
+ *
+ * Then x' = v, m v' = F - grad U(x) - rho v is an ordinary differential equation. GSL's rk8pd (P. J. Prince, J.
+ * R. Dormand, J. Comput. Appl. Math. 7 (1981)) solves it with its step control, and with steps of one length. The
+ * Radau IIA methods are in radau.c; Euler's methods are methods of the library. */
 #include "peers.h"
 
 #include <gsl/gsl_errno.h>
@@ -59,7 +59,7 @@ static int run_controlled(const task *of, double *rows)
     return status;
 }
 
-/* N steps of one length by a stepper of GSL's; it keeps the last slope for the next. */
+/* Make N steps of one length by a stepper of GSL, which keeps the last slope for the next step. */
 static int run_uniform(const task *of, double *rows)
 {
     const problem *p = of->p;

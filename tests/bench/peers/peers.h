@@ -1,18 +1,18 @@
-/* tests/bench/peers/peers.h -- What others would take.                  [H 18]
+/* tests/bench/peers/peers.h -- The interface of peers, the methods of others. [H 18]
  *
- * A peer is one file of less than 250 lines after a publication. How to add one:
- * README.md in this folder. */
+ * A peer is one file of less than 250 lines that follows a publication. README.md in this folder says how to add
+ * one. */
 #ifndef PEERS_H
 #define PEERS_H
 
 #include "../problems.h"
 
-/* PEER_INLINE -- a function that is compiled anew for each constant that it is called with,
- * such as d = 1 or the number of stages: its loops are unrolled. */
+/* PEER_INLINE -- a function that is compiled anew for each constant with which it is called, such as d = 1 or
+ * the number of stages, so that its loops are unrolled. */
 #define PEER_INLINE static inline __attribute__((always_inline))
 
-/* PEER_SCALAR -- at the head of a file about one mass: gcc unrolls its short loops, and does not
- * pack pairs of numbers into vectors, which costs it a third here; clang does neither unasked. */
+/* PEER_SCALAR -- write it at the head of a file about one mass. gcc then unrolls its short loops but does not
+ * pack pairs of numbers into vectors, which would cost a third here. clang does neither without being told. */
 #ifdef __clang__
 #define PEER_SCALAR
 #else
@@ -21,29 +21,27 @@
 
 /* task -- one run.
  *
- *   N          steps, or T over the longest, if the peer goes by them; else of no use
- *   tolerance  > 0: what the peer is to reach, or of the compression of its memory
- *              (0: as exact as it can be)
- */
+ *   N          the number of steps, or T divided by the longest step, for peers that use it
+ *   tolerance  > 0: the wanted error of the peer, or of the compression of its memory
+ *              (0: as exact as possible) */
 typedef struct {
     const problem *p;
     size_t N;
     double tolerance;
 } task;
 
-/* peer -- a method that is not ours.
+/* peer -- a method that is not the library's.
  *
- *   name       as the tables have it
+ *   name       its name in the tables
  *   after      who described it, and where
- *   why        in a clause, why it is fast where it is
- *   fewest     the least N that is tried; 0: it goes by its tolerance alone
+ *   why        a clause that says why it is fast where it is fast
+ *   fewest     the least N that is tried; 0: the tolerance alone decides the steps
  *   tolerance  nonzero: it reads the tolerance
  *   any        nonzero: N may be any number; 0: only a multiple of `fewest`
  *   takes      nonzero if it can solve the problem
- *   run        writes the ROWS + 1 rows of d positions; all that the problem, N or the
- *              tolerance decide is made within. Tables of numbers that belong to the
- *              method alone may be kept from one call to the next.
- *              Returns FVI_SUCCESS or any other code */
+ *   run        writes the ROWS + 1 rows of d positions. Everything that depends on the problem, N or
+ *              the tolerance is made inside. Tables that depend on the method alone may be kept from
+ *              one call to the next. Returns FVI_SUCCESS or any other code */
 typedef struct {
     const char *name, *after, *why;
     int tolerance;
@@ -53,10 +51,10 @@ typedef struct {
     int (*run)(const task *task, double *rows);
 } peer;
 
-/* peers -- all of them, ended by NULL. */
+/* peers -- all peers; NULL ends the list. */
 extern const peer *const peers[];
 
-/* exact_by_rows -- no peer, but run as one: our exact solution at all rows together. */
+/* exact_by_rows -- the library's exact solution in all rows together, which is no peer but runs like one. */
 extern const peer exact_by_rows;
 
 #endif

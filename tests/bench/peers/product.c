@@ -1,9 +1,9 @@
-/* tests/bench/peers/product.c -- The equation of motion integrated twice, Caputo,
+/* tests/bench/peers/product.c -- The equation of motion integrated twice, by methods of order 2. [H 18]
  *
  *     m (x - x0 - t v0) = J^2 (F - grad U(x)) - rho J^gamma (x - s),         (18.4)
  *
- * gamma = 2 - 2 alpha, s = x0, x0 + t v0 if 2 alpha > 1, 0 for Riemann and Liouville's
- * past with 2 alpha < 1, by quadratures of order 2 on N steps:
+ * with gamma = 2 - 2 alpha. For Caputo's past s = x0, or x0 + t v0 if 2 alpha > 1; for Riemann and Liouville's
+ * past with 2 alpha < 1 s = 0. The quadratures of order 2 on N steps are
  *
  *   product trapezoid: J^gamma of the piecewise linear function (K. Diethelm, N. J.
  *     Ford, A. D. Freed, Numer. Algorithms 36 (2004); R. Garrappa, Mathematics 6
@@ -11,12 +11,11 @@
  *   FLMM2: J^gamma by the fractional linear multistep methods of the trapezoidal rule,
  *     of Newton and Gregory, and of BDF2, with the starting weights that make them
  *     exact for 1 and t (Ch. Lubich, SIAM J. Math. Anal. 17 (1986); R. Garrappa, Math.
- *     Comput. Simul. 110 (2015), whose code is for one order at most 1), and J^2 as the
- *     product trapezoid has it.
+ *     Comput. Simul. 110 (2015), whose code is for one order at most 1), and J^2 as in the
+ *     product trapezoid.
  *
- * Where F jumps it is the mean of both limits. One mass is solved by Newton's method, in
- * product_one.c; more by the fixed-point iteration, where it contracts, both from a guess
- * by quadratic extrapolation.                                           [H 18] */
+ * Where F jumps it is the mean of both limits. One mass is solved by Newton's method, in product_one.c; more
+ * masses by the fixed-point iteration, if it contracts. Both start from a guess by quadratic extrapolation. */
 #include "blocks.h"
 #include "peers.h"
 #include "product_one.h"
@@ -30,7 +29,7 @@ typedef struct {
     const problem *p;
     size_t d, N;
     double gamma, h, size;       /* size = h^gamma */
-    double *w, *start0, *start1; /* w_n; of u_0, of u_1, in the sum for n */
+    double *w, *start0, *start1; /* w_n; the weights of u_0 and of u_1 in the sum for n */
     double *x[4];                /* the last three positions, and the new one */
     double *I1, *I2, *g, *F, *r, *sum, *u, *first, *one, *grad;
     blocks *past;
@@ -54,7 +53,7 @@ static int force(solver *o, double t)
     return status;
 }
 
-/* (m + rho A) x + B grad U(x) = r + B F, B = h^2/6. */
+/* Solve (m + rho A) x + B grad U(x) = r + B F, B = h^2/6. */
 static int solve(solver *o, double A)
 {
     const fvi_system *s = &o->p->system;
@@ -83,7 +82,7 @@ static int solve(solver *o, double A)
     return FVI_EMAXITER;
 }
 
-/* s at t: u = x - s is what the memory is of. */
+/* Return s at t. The memory is of u = x - s. */
 static double line(const solver *o, size_t a, double t)
 {
     if (o->p->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE)
@@ -92,7 +91,7 @@ static double line(const solver *o, size_t a, double t)
            + (o->p->alpha > 0.5 ? t * o->p->p0[a] / o->p->system.mass[a] : 0);
 }
 
-/* g = F - grad U(x) at the new position, into the running sums; u to the memory. */
+/* Add g = F - grad U(x) at the new position to the running sums, and u to the memory. */
 static int update_history(solver *o, size_t n, double t)
 {
     const double h = o->h;

@@ -1,6 +1,7 @@
-/* tests/bench/peers/product_one.c -- What product.c does, for one mass: all numbers of a
- * step in registers, F once a step, and no more of Newton's iterations than order 2 asks
- * for. FLMM2's trapezoid also with its past as exponentials.            [H 18] */
+/* tests/bench/peers/product_one.c -- The methods of product.c for one mass. [H 18]
+ *
+ * All numbers of a step stay in registers, F is evaluated once in a step, and Newton's method makes only the
+ * iterations that order 2 needs. FLMM2's trapezoid is also available with its past as exponentials. */
 #include "product_one.h"
 #include "blocks.h"
 #include "flmm_modes.h"
@@ -12,14 +13,14 @@ PEER_SCALAR
 
 typedef struct {
     const problem *p;
-    double h, A0, A1; /* h^gamma w_0, and with the weight of u_1 in its own step */
+    double h, A0, A1; /* h^gamma w_0; the same including the weight of u_1 in its own step */
     double *w, *start0, *start1;
     blocks *past;
-    flmm_modes *modes; /* instead of blocks, if not NULL */
+    flmm_modes *modes; /* replaces blocks if it is not NULL */
     int linear;
 } solver;
 
-/* F, the mean of both limits where it jumps. */
+/* Compute F, the mean of both limits where it jumps. */
 static int force(const solver *o, double t, double *F)
 {
     const fvi_force *f = &o->p->system.force;
@@ -35,8 +36,8 @@ static int force(const solver *o, double t, double *F)
     return status;
 }
 
-/* M x + B U'(x) = r by Newton's method; in *g the force U'(x) that was met. A correction
- * below 1e-6 leaves 1e-12. */
+/* Solve M x + B U'(x) = r by Newton's method. *g: U'(x) of the last iteration. After a correction below 1e-6
+ * the error is 1e-12. */
 static int solve(const solver *o, double M, double B, double r, double *x,
                  double *g)
 {

@@ -1,11 +1,10 @@
-/* tests/bench/peers/product_weights.c -- Weights of J^gamma: product_weights.h.
- *                                                                       [H 18] */
+/* tests/bench/peers/product_weights.c -- Compute the weights of J^gamma: product_weights.h. [H 18] */
 #include "product_weights.h"
 
 #include <math.h>
 
-/* n^e for n = 1, ..., N: a product where 2, 3, 5 or 7 divides n, so that one number in four
- * takes a power. */
+/* Compute n^e for n = 1, ..., N. If 2, 3, 5 or 7 divides n it is a product, so only one number in four needs a
+ * power. */
 static void powers_of(double e, size_t N, double *power)
 {
     static const size_t prime[] = { 2, 3, 5, 7 };
@@ -18,8 +17,8 @@ static void powers_of(double e, size_t N, double *power)
     }
 }
 
-/* w_k = (k+1)^e - 2 k^e + (k-1)^e and start_k = (k-1)^e - k^gamma (k - e), e = gamma + 1,
- * over Gamma(gamma + 2); by their series in 1/k where they would cancel. */
+/* Compute w_k = (k+1)^e - 2 k^e + (k-1)^e and start_k = (k-1)^e - k^gamma (k - e), e = gamma + 1, divided by
+ * Gamma(gamma + 2); by their series in 1/k where digits would cancel. */
 static void trapezoid(double gamma, size_t N, double *w, double *start0)
 {
     const double e = gamma + 1, unit = 1 / tgamma(e + 1);
@@ -52,7 +51,7 @@ static void trapezoid(double gamma, size_t N, double *w, double *start0)
     }
 }
 
-/* Powers of series: w_0 = a_0^gamma and so on, from (a_0 + a_1 z + a_2 z^2)^gamma. */
+/* Compute the power series of (a_0 + a_1 z + a_2 z^2)^gamma; w_0 = a_0^gamma. */
 static void power_of_series(const double *a, double gamma, size_t N, double *w)
 {
     w[0] = pow(a[0], gamma);
@@ -78,7 +77,7 @@ static void multistep(rule which, double gamma, size_t N, double *w,
     } else {
         power_of_series(which == BDF2 ? bdf : difference, -gamma, N, w);
     }
-    if (which == NEWTON_GREGORY) /* times 1 - gamma (1 - z) / 2 */
+    if (which == NEWTON_GREGORY) /* multiplied by 1 - gamma (1 - z) / 2 */
         for (size_t n = N; n >= 1; n--)
             w[n] = (1 - gamma / 2) * w[n] + gamma / 2 * w[n - 1];
     if (which == NEWTON_GREGORY)

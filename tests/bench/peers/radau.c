@@ -1,12 +1,13 @@
-/* tests/bench/peers/radau.c -- Radau IIA methods for x' = v and
+/* tests/bench/peers/radau.c -- Radau IIA methods. [H 18]
+ *
+ * They solve x' = v and
  *
  *     m v' + rho D^{2 alpha} x + grad U(x) = F,
  *
- * the damping by convolution quadrature with the same method: on uniform steps, and on
- * steps that grow from t = 0 and from a declared jump of F on. With alpha = 1/2 they
- * are the methods for ordinary differential equations. One mass is solved by Newton's
- * method, more by the fixed-point iteration, where it contracts. Publications: head of
- * radau_memory.h.                                                       [H 18] */
+ * with the damping by convolution quadrature with the same method: on uniform steps, and on steps that grow from
+ * t = 0 and from a declared jump of F on. With alpha = 1/2 they are the methods for ordinary differential
+ * equations. One mass is solved by Newton's method, more masses by the fixed-point iteration, if it contracts.
+ * The publications are in the head of radau_memory.h. */
 #include "radau_step.h"
 #include "system/larger.h"
 
@@ -15,7 +16,7 @@
 
 /* ---- steps ---- */
 
-/* The rows from t to t + h, r the first that is due: x by the polynomial of V. */
+/* Write the rows from t to t + h by the polynomial of V. r is the next row. Return the next row after them. */
 static size_t write_rows(const radau_solver *o, double t, double h, size_t r,
                          double *rows)
 {
@@ -33,7 +34,7 @@ static size_t write_rows(const radau_solver *o, double t, double h, size_t r,
     return r;
 }
 
-/* V - v = sum_n powers_n z^n; then D of the next step by extrapolation. */
+/* V - v = sum_n powers_n z^n. Extrapolate D for the next step. */
 static void interpolate(radau_solver *o)
 {
     for (size_t a = 0; a < o->d; a++)
@@ -47,7 +48,7 @@ static void interpolate(radau_solver *o)
 
 static void extrapolate(radau_solver *o, double ratio)
 {
-    const double most = ratio > 3 ? 0 : 1; /* too far: begin with D = 0 */
+    const double most = ratio > 3 ? 0 : 1; /* the extrapolation would be too far: begin with D = 0 */
     for (size_t a = 0; a < o->d; a++)
         for (int i = 0; i < o->s; i++) {
             const double z = 1 + ratio * o->m->c[i],
@@ -95,7 +96,7 @@ static int take_step(radau_solver *o, double t, size_t k, size_t *row,
     return FVI_SUCCESS;
 }
 
-/* One block for all numbers. */
+/* Allocate one block for all numbers. */
 static int allocate(radau_solver *o, size_t most)
 {
     const size_t d = o->d, n = (size_t)o->s * d;
@@ -115,7 +116,7 @@ static int allocate(radau_solver *o, size_t most)
     return FVI_SUCCESS;
 }
 
-/* Start: x, v, and which coordinates are alike. */
+/* Compute the start: x, v, and the coordinates that are alike. */
 static int begin(radau_solver *o, double *rows)
 {
     const fvi_system *system = &o->p->system;

@@ -38,8 +38,8 @@ void radau_divide(int s, matrix B, int n, matrix x)
             x[i][j] /= B[i][i];
 }
 
-/* Eigenvalue number k of M: Durand and Kerner's iteration on the characteristic
- * polynomial, by Faddeev and LeVerrier. */
+/* Compute eigenvalue number k of M by Durand and Kerner's iteration on the characteristic polynomial, whose
+ * coefficients come from Faddeev and LeVerrier. */
 static void roots(int s, matrix M, number *lambda)
 {
     matrix T = { { 0 } };
@@ -90,7 +90,7 @@ void radau_projector(int s, matrix M, const number *lambda, int i, matrix P)
     }
 }
 
-/* lambda = tr (M P) / tr P: the error is squared. */
+/* lambda = tr (M P) / tr P squares the error. */
 static void refine(int s, matrix M, number *lambda)
 {
     for (int round = 0; round < 3; round++)

@@ -1,5 +1,4 @@
-/* tests/bench/peers/radau_memory.c -- Modes of a Radau IIA convolution quadrature: see
- * the header.                                                           [H 18] */
+/* tests/bench/peers/radau_memory.c -- The modes of a Radau IIA convolution quadrature: radau_memory.h. [H 18] */
 #include "radau_memory.h"
 #include "ends.h"
 #include "memory/history_kinds.h" /* FVI_VECTORS */
@@ -11,7 +10,7 @@
 
 enum { TABLES = 256 };
 
-/* Rows of 2 s arrays: a_0 ... a_{s-1}, then what an input is multiplied by. */
+/* Rows of 2 s arrays: a_0 ... a_{s-1}, then the factors of an input. */
 typedef struct {
     int s, positive, first, length;
     double L, *row;
@@ -21,7 +20,7 @@ struct radau_memory {
     const radau *m;
     size_t d;
     int Q, q0, awake, read,
-        stride; /* modes that are updated, that are summed */
+        stride; /* the updated modes; the modes in the sum */
     double beta, L, unit, far, top[ENDS], *om, *z, *weighted, *own;
     const table *t;
     const double *now; /* a_0 of mode 0 in this step */
@@ -29,13 +28,13 @@ struct radau_memory {
 
 double radau_memory_spacing(double tolerance)
 {
-    /* e^{-pi^2 / L}; by whole decades, so that there are few tables */
+    /* e^{-pi^2 / L}, rounded to whole decades, so that there are few tables */
     const double digits =
         M_LN10 * ceil(-log10(larger(tolerance, 1e-16)) - 1e-9);
     return smaller(0.6, 9.87 / (digits + 3));
 }
 
-/* The table of s and L, kept: it knows no order and no problem. */
+/* Return the table of s and L, which is kept. It does not depend on the order or the problem. */
 static const table *table_of(const radau *m, double L, int positive)
 {
     static table all[TABLES];
@@ -92,8 +91,8 @@ radau_memory *radau_memory_alloc(const radau *m, double beta, size_t d,
     o->beta = beta;
     o->unit = unit;
     o->L = radau_memory_spacing(tolerance);
-    /* polynomials of degree 5 through 6 modes: their error is that of the sixth power,
-     * with 6! below it where e^{-s t} is expanded, and |lambda| < 11 at the other end */
+    /* polynomials of degree 5 through 6 modes: their error is that of the sixth power, divided by 6! where
+     * e^{-s t} is expanded, and |lambda| < 11 at the other end */
     const double middle = o->L * APART * (ENDS - 1) / 2.0;
     o->far = 11 * exp(middle + digits / ENDS);
     o->q0 = (int)floor((log(unit / T) - middle - larger(0, digits - 6.6) / ENDS)
@@ -120,7 +119,7 @@ void radau_memory_free(radau_memory *o)
     free(o);
 }
 
-/* How many modes a step of length h needs. */
+/* Return the number of modes that a step of length h needs. */
 static int needed(const radau_memory *o, double h)
 {
     const int Q = (int)ceil(log(o->far * o->unit / h) / o->L) - o->q0;

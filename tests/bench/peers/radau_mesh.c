@@ -1,5 +1,4 @@
-/* tests/bench/peers/radau_mesh.c -- Steps of one length, and steps that grow.
- *                                                                       [H 18] */
+/* tests/bench/peers/radau_mesh.c -- Steps of one length, and steps that grow: radau_step.h. [H 18] */
 #include "radau_step.h"
 #include "system/larger.h"
 
@@ -10,9 +9,9 @@ size_t radau_uniform(const problem *p, size_t N, radau_step *mesh)
     return N;
 }
 
-/* Steps over a length of time: the first is `first`, then they grow by e^{4 L} at most,
- * as t^{3/4}, up to `longest`. With `meets` the last ones leave the lattice to meet the
- * end; else they reach beyond it. Returns how many; their sum is added to *t. */
+/* Make the steps over the time `whole`. The first one is `first`; then they grow by e^{4 L} at most, as
+ * t^{3/4}, up to `longest`. With `meets` the last steps leave the lattice so that they end exactly at the end;
+ * else they go beyond it. Return their number, and add their sum to *t. */
 static size_t grow(double whole, double first, double longest, double L,
                    int meets_end, size_t most, radau_step *mesh, double *t)
 {

@@ -1,6 +1,6 @@
-/* tests/bench/peers/radau_one.c -- The equations of the stages of one mass: radau_step.h.
- * The number of stages is known when this is compiled, so that all loops are unrolled.
- *                                                                       [H 18] */
+/* tests/bench/peers/radau_one.c -- The equations of the stages of one mass: radau_step.h. [H 18]
+ *
+ * The number of stages is known when this is compiled, so that all loops are unrolled. */
 #include "radau_step.h"
 #include "system/larger.h"
 
@@ -8,7 +8,7 @@
 
 PEER_SCALAR
 
-/* J = L U in place, no exchanges: K and A are far from such a need. */
+/* J = L U in place, without exchanges of rows: K and A do not need them. */
 PEER_INLINE void decompose(int s, double *J)
 {
     for (int k = 0; k < s; k++) {
@@ -34,8 +34,8 @@ PEER_INLINE void substitute(int s, const double *J, double *r)
     }
 }
 
-/* D <- D - J^{-1} (K D + H + U'(X)), X = x + h (c v + A D), until D moves no more than the
- * tolerance wants. J is made at the guess. */
+/* D <- D - J^{-1} (K D + H + U'(X)), X = x + h (c v + A D), until the change of D satisfies the tolerance. J is
+ * computed at the guess. */
 PEER_INLINE int solve(radau_solver *o, int s, double h, const radau_factor *f)
 {
     const fvi_potential *U = &o->p->system.potential;

@@ -1,5 +1,4 @@
-/* tests/bench/peers/radau_step.c -- The equations of the stages: radau_step.h.
- *                                                                       [H 18] */
+/* tests/bench/peers/radau_step.c -- The equations of the stages: radau_step.h. [H 18] */
 #include "radau_step.h"
 #include "memory/history_kinds.h" /* FVI_VECTORS */
 #include "system/larger.h"
@@ -40,7 +39,7 @@ static void invert(int s, double *K, double *inverse)
     }
 }
 
-/* The factors for steps of length h, made when they are first asked for. */
+/* Return the factors for steps of length h. They are made at the first call for this length. */
 static const radau_factor *factor_of(radau_solver *o, double h)
 {
     const int s = o->s;
@@ -72,7 +71,7 @@ static const radau_factor *factor_of(radau_solver *o, double h)
     return f;
 }
 
-/* out = K in for each of d coordinates, stage after stage. */
+/* out = K in for each of d coordinates, stage by stage. */
 FVI_VECTORS static void mix(int s, size_t d, const double *restrict K,
                             const double *restrict in, double *restrict out)
 {
@@ -86,7 +85,7 @@ FVI_VECTORS static void mix(int s, size_t d, const double *restrict K,
         }
 }
 
-/* H <- H - F: what the iterations leave as it is. */
+/* H <- H - F, which the iterations do not change. */
 static int subtract_force(radau_solver *o, double t, double h)
 {
     const size_t d = o->d;
@@ -102,7 +101,7 @@ static int subtract_force(radau_solver *o, double t, double h)
     return FVI_SUCCESS;
 }
 
-/* X, and G = -grad U(X) - H, from D = V - v. */
+/* Compute X, and G = -grad U(X) - H, from D = V - v. */
 static int evaluate_forces(radau_solver *o, double h)
 {
     const size_t d = o->d;
@@ -140,7 +139,7 @@ static void known(radau_solver *o, double t, double h)
     }
 }
 
-/* The fixed-point iteration D <- K^{-1} G; returns how far D moved, against its size. */
+/* Make one step of the fixed-point iteration D <- K^{-1} G. Return the change of D, divided by its size. */
 static double iterate(radau_solver *o, const radau_factor *f)
 {
     const size_t d = o->d, n = (size_t)o->s * d;

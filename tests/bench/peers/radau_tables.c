@@ -1,6 +1,7 @@
-/* tests/bench/peers/radau_tables.c -- Numbers of the Radau IIA methods: the nodes are
- * the zeros of P_s - P_{s-1} on [0, 1] (E. Hairer, G. Wanner, Solving Ordinary
- * Differential Equations II, IV.5).                                     [H 18] */
+/* tests/bench/peers/radau_tables.c -- The numbers of the Radau IIA methods. [H 18]
+ *
+ * The nodes are the zeros of P_s - P_{s-1} on [0, 1] (E. Hairer, G. Wanner, Solving Ordinary Differential
+ * Equations II, IV.5). */
 #include "radau_tables.h"
 
 #include "radau_algebra.h"
@@ -10,7 +11,7 @@
 
 enum { S = RADAU_STAGES };
 
-/* P_s - P_{s-1} at 2x - 1, and its slope by x. */
+/* Return P_s - P_{s-1} at 2x - 1, and its derivative by x. */
 static long double polynomial(int s, long double x, long double *slope)
 {
     const long double z = 2 * x - 1;
@@ -27,7 +28,7 @@ static long double polynomial(int s, long double x, long double *slope)
     return p - q;
 }
 
-/* Zeros from the right, each divided out of the next: Maehly's way of Newton. */
+/* Compute the zeros by Newton's method in Maehly's form, which divides out each zero that is found. */
 static void nodes(int s, long double *c)
 {
     c[s - 1] = 1;
@@ -41,7 +42,7 @@ static void nodes(int s, long double *c)
         }
         c[i] = x;
     }
-    for (int i = 0; i < s; i++) /* they came from the left: put them in order */
+    for (int i = 0; i < s; i++) /* put the zeros in ascending order */
         for (int j = i + 1; j < s; j++)
             if (c[j] < c[i]) {
                 long double t = c[i];
@@ -73,7 +74,7 @@ static void projectors(radau *m, matrix M, const number *lambda)
     }
 }
 
-/* The powers of the polynomials that vanish at 0: products of (z - c_k). */
+/* Compute the powers of the polynomials that vanish at 0: products of (z - c_k). */
 static void powers(radau *m, const long double *c)
 {
     for (int j = 0; j < m->s; j++) {
@@ -96,7 +97,7 @@ const radau *radau_method(int s)
     matrix V = { { 0 } }, A = { { 0 } }, M = { { 0 } }, W;
     number lambda[S];
     nodes(s, c);
-    /* A: x^k at the nodes goes to x^{k+1} / (k+1); transposed, A^T solves V^T. */
+    /* A: x^k at the nodes becomes x^{k+1} / (k+1). Transposed, this is A^T as the solution of V^T. */
     for (int i = 0; i < s; i++)
         for (int k = 0; k < s; k++) {
             V[k][i] = powl(c[i], k);
@@ -139,7 +140,7 @@ void radau_power(const radau *m, double beta, double *W)
     }
 }
 
-/* lambda / (mu + lambda) = 1 - mu / (mu + lambda): the form that does not cancel. */
+/* lambda / (mu + lambda) = 1 - mu / (mu + lambda): this form does not cancel. */
 void radau_mode(const radau *m, double mu, int positive, double *a, double *g)
 {
     const int s = m->s, few = mu < 5;

@@ -4,7 +4,7 @@
 
 enum { RADAU_STAGES = 7 };
 
-/* Over a loop that has a loop inside: clang vectorises innermost loops only, and warns. */
+/* Write it before a loop that contains another loop: clang vectorises innermost loops only, and warns. */
 #ifdef __clang__
 #define OUTER_SIMD
 #else
@@ -32,13 +32,14 @@ typedef struct {
         sumre[RADAU_STAGES][RADAU_STAGES], sumim[RADAU_STAGES][RADAU_STAGES];
 } radau;
 
-/* radau_method -- made at the first call for s, 1 <= s <= RADAU_STAGES; NULL if GSL has no memory. */
+/* radau_method -- return the method with s stages, 1 <= s <= RADAU_STAGES, which is made at the first call.
+ * NULL if GSL has no memory. */
 const radau *radau_method(int s);
 
-/* radau_power -- f(M) for f = z^beta, into W (row by row, s * s). */
+/* radau_power -- compute f(M) for f = z^beta into W (row by row, s * s). */
 void radau_power(const radau *m, double beta, double *W);
 
-/* radau_mode -- the numbers of w' = -sigma w + input over one step, mu = h sigma > 0:
+/* radau_mode -- compute the numbers of w' = -sigma w + input over one step, mu = h sigma > 0.
  *
  *   a  s numbers  (mu + M)^{-1} M 1; the last is the stability function
  *   g  s numbers  e_s^T (mu + M)^{-1} M if positive (the input is a derivative)

@@ -1,7 +1,8 @@
-/* tests/bench/peers/runge_kutta.c -- alpha = 1/2: x' = v, m v' = F - grad U(x) - rho v by
- * Kutta's method of order 4, and by one of order 8 with 11 stages (G. J. Cooper, J. H.
- * Verner, SIAM J. Numer. Anal. 9 (1972)), in plain loops over steps of one length. Rows
- * within a step: the polynomial of degree 8 through x, v and v' at three nodes. [H 18] */
+/* tests/bench/peers/runge_kutta.c -- Runge-Kutta methods of order 4 and 8, for alpha = 1/2. [H 18]
+ *
+ * x' = v, m v' = F - grad U(x) - rho v by Kutta's method of order 4, and by one of order 8 with 11 stages (G. J.
+ * Cooper, J. H. Verner, SIAM J. Numer. Anal. 9 (1972)), in plain loops over steps of one length. Rows within a
+ * step: the polynomial of degree 8 through x, v and v' at three nodes. */
 #include "peers.h"
 
 #include <stdlib.h>
@@ -11,7 +12,7 @@ PEER_SCALAR
 
 enum { MOST_STAGES = 11 };
 
-/* y = (x, v), z a stage, k the slopes; a node has x, v and v'. 1/m, rho/m. */
+/* y = (x, v); z is a stage; k are the slopes; a node has x, v and v'; then 1/m and rho/m. */
 typedef struct {
     const problem *p;
     const fvi_system *s;
@@ -19,7 +20,7 @@ typedef struct {
     double *y, *z, *k, *node[3], *inverse, *rate;
 } solver;
 
-/* The slope at z, or at y. Only what a callback sees leaves the registers. */
+/* Compute the slope at z, or at y. Only arguments of callbacks leave the registers. */
 PEER_INLINE int slope(const solver *o, size_t d, double t, double *z, double *k)
 {
     const fvi_system *s = o->s;
@@ -37,7 +38,7 @@ PEER_INLINE int slope(const solver *o, size_t d, double t, double *z, double *k)
     return status;
 }
 
-/* One stage: its slope at y + h (sum), and t + h c. */
+/* Compute the slope of one stage at y + h (sum) and t + h c. */
 #define STAGE(i, c, sum)                                                       \
     for (size_t j = 0; j < 2 * d; j++)                                         \
         z[j] = y[j] + h * (sum);                                               \
@@ -57,7 +58,7 @@ PEER_INLINE int step4(const solver *o, size_t d, double t)
     return status;
 }
 
-#define ROOT 4.58257569495584000659 /* of 21 */
+#define ROOT 4.58257569495584000659 /* the square root of 21 */
 PEER_INLINE int step8(const solver *o, size_t d, double t)
 {
     static const double r = ROOT, up = (7 + ROOT) / 14, down = (7 - ROOT) / 14;
@@ -91,7 +92,7 @@ PEER_INLINE int step8(const solver *o, size_t d, double t)
     return status;
 }
 
-/* The rows between two nodes of the last three, z = -1, 0, 1. */
+/* Write the rows between two of the last three nodes, z = -1, 0, 1. */
 PEER_INLINE void write_rows(const solver *o, size_t d, size_t middle,
                               size_t from, size_t to, double *rows)
 {
@@ -116,7 +117,7 @@ PEER_INLINE void write_rows(const solver *o, size_t d, size_t middle,
     }
 }
 
-/* A node is known: y, and its slope, the first of k. */
+/* Store a new node: y, and its slope, the first of k. */
 PEER_INLINE void keep(solver *o, size_t d)
 {
     double *oldest = o->node[0];
@@ -162,7 +163,7 @@ PEER_INLINE void begin(const solver *o, size_t d, double *rows)
     }
 }
 
-/* One mass: all in registers, the loops unrolled. */
+/* Run one mass: all numbers in registers, the loops unrolled. */
 static int run_one(const task *of, int order, double *rows)
 {
     const problem *p = of->p;

@@ -1,5 +1,7 @@
-/* tests/bench/peers/series.c -- Power series of a force along a motion, by recurrences:
- * automatic differentiation (A. Jorba, M. Zou, Experiment. Math. 14 (2005)). [H 18] */
+/* tests/bench/peers/series.c -- Power series of a force along a motion. [H 18]
+ *
+ * The coefficients come from recurrences, by automatic differentiation (A. Jorba, M. Zou, Experiment. Math. 14
+ * (2005)). */
 #include "series.h"
 
 #include <math.h>

@@ -1,11 +1,12 @@
-/* tests/bench/peers/taylor.c -- alpha = 1/2: the Taylor series of the motion from step to
- * step, its coefficients by automatic differentiation (A. Jorba, M. Zou, Experiment.
- * Math. 14 (2005); heyoka: F. Biscani, D. Izzo, Mon. Not. R. Astron. Soc. 504 (2021)).
+/* tests/bench/peers/taylor.c -- The Taylor series of the motion from step to step, for alpha = 1/2. [H 18]
+ *
+ * The coefficients come from automatic differentiation (A. Jorba, M. Zou, Experiment. Math. 14 (2005); heyoka: F.
+ * Biscani, D. Izzo, Mon. Not. R. Astron. Soc. 504 (2021)).
  *
  *     (n + 1) (n + 2) m x_{n+2} = -g_n - rho (n + 1) x_{n+1},   g_n of U'(x(t)).
  *
- * As heyoka has it, a tolerance decides the order, and the last two coefficients the step.
- * With steps of one length the order is fixed. Rows are read from the series.   [H 18] */
+ * As in heyoka a tolerance decides the order, and the last two coefficients decide the step. With steps of one
+ * length the order is fixed. Rows are values of the series. */
 #include "series.h"
 #include "memory/history_kinds.h" /* FVI_VECTORS */
 #include "system/larger.h"
@@ -20,7 +21,7 @@ typedef struct {
     int order;
 } taylor;
 
-/* Coefficients x_2, ..., x_order from x_0 and x_1. */
+/* Compute the coefficients x_2, ..., x_order from x_0 and x_1. */
 static void find_series(taylor *o)
 {
     const series_term term = o->term;
@@ -29,7 +30,7 @@ static void find_series(taylor *o)
                   - o->b[n] * o->x[n - 1];
 }
 
-/* sum_n x_n z^n for all z, a vector of them at a time */
+/* Compute sum_n x_n z^n for all z, a vector of them at a time. */
 FVI_VECTORS static void evaluate_series(int order, const double *x, size_t count,
                                  const double *restrict z,
                                  double *restrict sum)
@@ -42,7 +43,7 @@ FVI_VECTORS static void evaluate_series(int order, const double *x, size_t count
     }
 }
 
-/* The rows from t to t + h, r the first that is due. Returns the next one. */
+/* Write the rows from t to t + h. r is the next row. Return the next row after them. */
 static size_t write_rows(const taylor *o, const problem *p, double t, double h,
                          size_t r, double *rows)
 {
@@ -57,7 +58,7 @@ static size_t write_rows(const taylor *o, const problem *p, double t, double h,
     return r + count;
 }
 
-/* x and x' at the end of a step of length h. */
+/* Compute x and x' at the end of a step of length h. */
 static void advance(taylor *o, double h)
 {
     double x = 0, v = 0;
@@ -69,7 +70,7 @@ static void advance(taylor *o, double h)
     o->x[1] = v;
 }
 
-/* e^-2 times the radius that the last two coefficients show, with heyoka's safety. */
+/* Return e^-2 times the radius that the last two coefficients indicate, with heyoka's safety factor. */
 static double step_of(const taylor *o)
 {
     const int n = o->order;
@@ -79,7 +80,7 @@ static double step_of(const taylor *o)
     return exp(smaller(last, before) - 2 - 0.7 / (n - 1));
 }
 
-/* N steps of one length; 0: as they come. x' has the order that is asked, x one more. */
+/* Make N steps of one length; N = 0: the series decides the steps. x' has the order `asked`, x one more. */
 static int run(const task *of, int asked, size_t N, double *rows)
 {
     const problem *p = of->p;

@@ -1,14 +1,12 @@
-/* tests/random/fuzz/fuzz.c -- Random command lines and files for the program
- * build/fvi.
+/* tests/random/fuzz/fuzz.c -- Run the program build/fvi with random command lines and files.
  *
- *     fuzz SEED LINES FILES STATES [CASE]   (make fuzz; make test-fuzz for a short one)
+ *       fuzz SEED LINES FILES STATES [CASE]   (make fuzz; make test-fuzz for a short run)
  *
- * The program's main is called in this process, under the name fvi_main, so that the
- * sanitizers see all of it. It must return 0, 1 or 2; with 2 it must have printed
- * nothing but two lines on standard error; a file under -o must be
- * complete, or as it was; nothing else may be left. With CASE only that one is run, and its
- * words are printed. What the words are is in random_words.c. After them the library is
- * given STATES states of runs that a stranger wrote (random_states.c), without files. */
+ * The main function of the program is called in this process, under the name fvi_main, so that the sanitizers see
+ * all of it. It must return 0, 1 or 2. If it returns 2, it must have printed two lines on standard error and
+ * nothing else. A file under -o must be complete or unchanged, and no other file may be left. With CASE, only
+ * this case is run, and its words are printed. random_words.c makes the words. After the command lines and files,
+ * the library gets STATES damaged states of runs (random_states.c), without files. */
 #define _GNU_SOURCE
 #include <dirent.h>
 #include <fcntl.h>
@@ -25,7 +23,7 @@ int fvi_main(int argc, char **argv);
 
 /* ---- random files ---- */
 
-/* Bytes of a table, spoiled a little or much. */
+/* Write a file with lines of a table, some of them damaged. */
 static void random_file(const char *name)
 {
     FILE *f = fopen(name, "w");
@@ -52,8 +50,7 @@ static void random_file(const char *name)
     fclose(f);
 }
 
-/* The last eight bytes become the checksum of all before, as whoever wants to deceive would
- * make them: FNV-1a. */
+/* Make the last eight bytes the checksum (FNV-1a) of all bytes before them, as an attacker would. */
 static void make_sum(unsigned char *bytes, size_t size)
 {
     unsigned long long sum = 0xcbf29ce484222325u;
@@ -63,7 +60,7 @@ static void make_sum(unsigned char *bytes, size_t size)
         memcpy(bytes + size - sizeof sum, &sum, sizeof sum);
 }
 
-/* The checkpoint with some bytes changed, or cut; with a right checksum, mostly. */
+/* Change or cut some bytes of the checkpoint. Its checksum is mostly made right again. */
 static void spoil_checkpoint(void)
 {
     static unsigned char bytes[1 << 16];
@@ -90,7 +87,7 @@ static void put_file(const char *name, const char *text)
         exit(1);
 }
 
-/* A matrix of three unknowns, mostly a right one with some bytes changed. */
+/* Write a matrix of three unknowns, which is mostly right but for some bytes. */
 static void random_matrix(const char *name, const char *entries)
 {
     static const char *const heads[] = {
@@ -165,7 +162,7 @@ static void random_file_and_line(void)
     add("out");
 }
 
-/* ---- the verdict ---- */
+/* ---- checks ---- */
 
 static const char kept[] = "what was there\n";
 
@@ -181,7 +178,7 @@ static const char *get_file(const char *name)
     return text;
 }
 
-/* A whole table of any format ends so; help ends with a full stop or an example. */
+/* Return whether a table is complete. Each format ends in this way; help ends with a full stop or an example. */
 static int is_whole(const char *table)
 {
     const size_t length = strlen(table);
@@ -198,7 +195,7 @@ static size_t lines_of(const char *at)
     return n;
 }
 
-static size_t seen[3]; /* of each exit code */
+static size_t seen[3]; /* the number of cases with each exit code */
 
 static const char *judge(int status)
 {
@@ -259,7 +256,7 @@ static void print_words(FILE *out)
     fputc('\n', out);
 }
 
-/* Cases from number `from` on. Returns how many failed. */
+/* Run the cases from number `from` on. Return the number of failures. */
 static size_t cases(unsigned long long s, size_t from, size_t to, size_t only,
                     void (*make)(void))
 {
@@ -270,7 +267,7 @@ static size_t cases(unsigned long long s, size_t from, size_t to, size_t only,
         count = 0;
         seed(s, n);
         make();
-        FILE *last = fopen("case", "w"); /* for when it crashes */
+        FILE *last = fopen("case", "w"); /* for the case that the program crashes */
         if (last) {
             fprintf(last, "%zu:", n);
             print_words(last);
@@ -290,7 +287,8 @@ static size_t cases(unsigned long long s, size_t from, size_t to, size_t only,
     return failed;
 }
 
-/* Those of states; returns how many failed, or all, if hardly one was refused or none. */
+/* Run the cases of states. Return the number of failures, or of all cases if hardly any state, or nearly every
+ * state, was refused. */
 static size_t cases_of_states(unsigned long long s, size_t from, size_t to,
                               size_t only)
 {
@@ -347,6 +345,6 @@ int main(int argc, char **argv)
            lines, files, seen[0], seen[1], seen[2], failed);
     const int left = system(line);
     if (!only && (seen[0] < (lines + files) / 10 || !seen[1] || !seen[2]))
-        return 1; /* too little was tried */
+        return 1; /* too few cases were possible */
     return failed > 0 || left != 0;
 }

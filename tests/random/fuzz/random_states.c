@@ -1,4 +1,4 @@
-/* tests/random/fuzz/random_states.c -- States of runs that a stranger wrote. */
+/* tests/random/fuzz/random_states.c -- Damage the state of a run and continue the run. */
 #include "random_states.h"
 #include "random_words.h"
 
@@ -13,9 +13,9 @@ enum { MOST_D = 20, MOST_STEPS = 300, PIECES = 200, ROOM = 1 << 20 };
 
 static unsigned char state[ROOM];
 
-/* The pieces of a state, one behind the other. */
+/* The pieces of a state, one after the other. */
 typedef struct {
-    fvi_archive archive; /* the first: a pointer to it is one to this */
+    fvi_archive archive; /* the first member, so that a pointer to it is a pointer to the shelf */
     size_t at, pieces;
     size_t begin[PIECES], bytes[PIECES];
     int constant[PIECES];
@@ -42,7 +42,7 @@ static int save(fvi_archive *v, void *data, size_t bytes, int constant)
     return 0;
 }
 
-/* A piece of another length is none: so does a file say it. */
+/* Refuse a piece of another length, as the reader of a file does. */
 static int load(fvi_archive *v, void *data, size_t bytes, int constant)
 {
     shelf *s = (shelf *)v;
@@ -129,9 +129,9 @@ static const fvi_method *random_run_of(problem *o)
     return dice(3) ? fvi_methods[dice(methods)] : &fvi_variable_step;
 }
 
-/* ---- what a stranger writes ---- */
+/* ---- damage ---- */
 
-/* Some bits of a double or of a count, or another number in its place. */
+/* Change a double or a count: some of its bits, or the whole number. */
 static void change_number(unsigned char *at, size_t bytes)
 {
     static const double doubles[] = { 0,        -1,  1e308,     -1e308, 5e-324,
@@ -144,10 +144,10 @@ static void change_number(unsigned char *at, size_t bytes)
     case 0: /* a bit */
         bits ^= (uint64_t)1 << dice(8 * width);
         break;
-    case 1: /* a little more or less */
+    case 1: /* a small change */
         bits += dice(9) - (uint64_t)4;
         break;
-    case 2: /* any size */
+    case 2: /* a number of any size */
         bits = ~(uint64_t)0 >> dice(64);
         break;
     default:
@@ -156,7 +156,7 @@ static void change_number(unsigned char *at, size_t bytes)
     memcpy(at + place, &bits, width);
 }
 
-/* Of the pieces that are not constant mostly the short ones, where counts are. */
+/* Change some pieces that are not constant. Prefer the short ones, which hold counts. */
 static void change_state(const shelf *all)
 {
     size_t at[PIECES], n = 0;
@@ -187,7 +187,7 @@ static void go_on(fvi_stepper *s, size_t most)
     }
 }
 
-/* A stepper that was refused begins anew. */
+/* A stepper whose state was refused must be able to start anew. */
 static const char *begin_anew(const problem *o, fvi_stepper *s)
 {
     if (fvi_stepper_reset(s))
@@ -208,7 +208,7 @@ const char *random_state(size_t *refused)
     snprintf(said, sizeof said, "%s, d = %zu, N = %zu, alpha = %g, memory %d",
              method->name, o.system.d, N, o.run.alpha, (int)o.run.memory);
     if (fvi_stepper_start(method, &o.run, &s, NULL))
-        return NULL; /* not for this method */
+        return NULL; /* the method does not take this run */
     for (size_t n = dice(N + 1); n > 0 && s->k < N; n--)
         if (fvi_stepper_step(s)) {
             fvi_stepper_free(s);

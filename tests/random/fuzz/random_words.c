@@ -60,7 +60,7 @@ void spoil(char *word)
     }
 }
 
-/* An expression, mostly a right one, behind what stands in the word. */
+/* Append a random expression, which is mostly a right one, to the word. */
 static void expression(char *word, const char *const *names, size_t depth)
 {
     static const char *const functions[] = { "sin",  "cos",  "tan",  "exp",

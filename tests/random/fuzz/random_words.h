@@ -1,4 +1,4 @@
-/* tests/random/fuzz/random_words.h -- The dice, and the words of a line. */
+/* tests/random/fuzz/random_words.h -- Random numbers, and the words of a random command line. */
 #ifndef RANDOM_WORDS_H
 #define RANDOM_WORDS_H
 
@@ -8,13 +8,13 @@
 
 /* ---- dice ---- */
 
-/* The state of case number n does not depend on those before it. */
+/* seed -- set the dice for case number n of the seed s. They do not depend on earlier cases. */
 void seed(unsigned long long s, size_t n);
 
-/* One of 0, ..., n - 1. */
+/* dice -- return one of 0, ..., n - 1. */
 size_t dice(size_t n);
 
-/* One of the n words of a list. */
+/* one_of -- return one of the n words of a list. */
 const char *one_of(const char *const *list, size_t n);
 #define ONE_OF(list) one_of(list, LEN(list))
 
@@ -22,20 +22,20 @@ const char *one_of(const char *const *list, size_t n);
 
 enum { WORD = 400, WORDS = 24 };
 
-/* The line of this case, fvi first. */
+/* The command line of this case; its first word is fvi. */
 extern char words[WORDS][WORD];
 extern int count;
 
-/* One word more; nothing if there are WORDS already. */
+/* add -- append a word; do nothing if there are WORDS words already. */
 __attribute__((format(printf, 1, 2))) void add(const char *format, ...);
 
-/* Some bytes of a word of WORD bytes changed, put in or left out. */
+/* spoil -- change, insert or remove some bytes of a word of WORD bytes. */
 void spoil(char *word);
 
-/* A count. How much work a run may be is bounded by these, which are not spoiled. */
+/* few -- return a count. The counts bound the work of a run, so they are never spoiled. */
 const char *few(void);
 
-/* Add the words of a whole line, mostly of one that is refused. */
+/* random_line -- add the words of a whole command line. Most lines are refused. */
 void random_line(void);
 
 #endif

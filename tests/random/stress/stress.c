@@ -1,8 +1,10 @@
-/* tests/random/stress/stress.c -- `make stress`: many random runs against a truth
- * or an identity, a line a family.      stress [SEED [FAMILY [CASE]]]
+/* tests/random/stress/stress.c -- `make stress`: compare many random runs with a truth or an identity, and print
+ * a line for each family.
  *
- * Every case draws from its own generator, seeded by the seed and its number, so
- * that a failure can be repeated alone. */
+ *     stress [SEED [FAMILY [CASE]]]
+ *
+ * Each case has its own generator, which is seeded by the seed and the number of the case. So a failed case can
+ * be repeated alone. */
 #include <fvi/error.h>
 #include "stress.h"
 #include "system/larger.h"
@@ -92,7 +94,7 @@ static const struct {
       stress_mechanisms, 200 },
 };
 
-/* All cases of a family, or one; returns the number of failures. */
+/* Run all cases of a family, or one of them. Return the number of failures. */
 static unsigned long run_family(size_t f, unsigned long seed, long only)
 {
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);

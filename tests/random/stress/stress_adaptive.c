@@ -1,11 +1,11 @@
-/* tests/random/stress/stress_adaptive.c -- A wanted error, by variable steps. */
+/* tests/random/stress/stress_adaptive.c -- Runs with variable steps keep the wanted error. */
 #include "stress.h"
 
 #include "variable_steps/adaptive_problems.h"
 
-/* Three of four linear, against the exact motion; the others against a run with 1e-13 a
- * step. What is allowed is 1.2 of the wanted error; what is refused for a reason says
- * nothing, and is counted. Seen, seeds 1 to 6: 1 of 1000 at most. */
+/* Three of four problems are linear and are compared with the exact motion. The others are compared with a run
+ * with the error 1e-13 of a step. The allowance is 1.2 of the wanted error. A run that is refused for a good
+ * reason counts as a case without a truth. Seen, seeds 1 to 6: 1 of 1000 at most. */
 double stress_adaptive(gsl_rng *random, char *describe, size_t size)
 {
     static adaptive_problem q;

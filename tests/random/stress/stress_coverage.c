@@ -1,5 +1,5 @@
-/* tests/random/stress/stress_coverage.c -- Stress: can the intervals of a fit be believed, and
- * does a fit say so where they cannot? */
+/* tests/random/stress/stress_coverage.c -- Do the intervals of a fit hold the truth, and does the fit warn if
+ * they do not? */
 #include "stress.h"
 #include "system/larger.h"
 
@@ -11,20 +11,20 @@
 enum { MOST = 200, STARTS = 12 };
 #define UNSEEN 0.005 /* half the probability at which an offset is flagged: fvi_examination.unseen */
 
-/* What is wrong with a data set. */
+/* The fault of a data set. */
 typedef enum { NOTHING, AN_OFFSET, A_DRIFT, AN_ECHO, A_LAW, WRONG_READINGS } fault;
 
-/* Rows of the table. Of faults the intervals hold the truth seldom; what counts is how many of
- * the answers that are wrong have a flag or are refused. A third parameter makes up for much of
- * an offset, a drift or another law, and noise hides a law: then no test of residuals can see all,
- * and the table has what the best test would see. The last three rows are those where it could. */
+/* Rows of the table. With a fault the intervals seldom hold the truth, so the goal is the share of wrong
+ * answers that have a flag or are refused. A third parameter can compensate much of an offset, of a drift or of
+ * another law, and noise can hide a law. Then no test of residuals sees every fault, and the table also has the
+ * share that the best test would see. The last three rows are those in which the best test could see them. */
 static const struct {
     const char *name;
     fault what;
-    size_t least_points, parameters; /* 0: two or three */
-    double loudest; /* sigma is 0.003 to this */
+    size_t least_points, parameters; /* 0: two or three parameters */
+    double loudest; /* sigma is between 0.003 and this */
     int sets;
-    double held, caught; /* percent, the goals; 0: none */
+    double held, caught; /* the goals in percent; 0: no goal */
 } rows[] = {
     { "the model is right", NOTHING, 24, 0, 0.3, 1500, 93, 0 },
     { "offset of 0.5 to 2 sigma", AN_OFFSET, 24, 0, 0.3, 250, 0, 0 },
@@ -38,7 +38,7 @@ static const struct {
 };
 enum { ROWS = sizeof rows / sizeof *rows };
 
-/* A data set and the truth behind it. */
+/* A data set and its truth. */
 typedef struct {
     fvi_linear_oscillator body;
     size_t n, P;
@@ -65,7 +65,7 @@ static void add_noise(gsl_rng *random, fault what, data_set *o)
     }
 }
 
-/* A random body of unit mass, spring and start; its exact motion at n times, with noise. */
+/* Draw a random body of unit mass, spring and start. Compute its exact motion at n times, with noise. */
 static int draw(gsl_rng *random, size_t row, data_set *o)
 {
     static const size_t points[] = { 24, 48, 100, 200 };
@@ -90,13 +90,13 @@ static int draw(gsl_rng *random, size_t row, data_set *o)
     for (size_t i = 0; i < o->n; i++)
         o->t[i] = T * (double)(i + 1) / (double)o->n;
     const int status = fvi_exact_at(&o->body, o->n, o->t, o->x, NULL, NULL);
-    o->body.law = NULL; /* it goes with this function */
+    o->body.law = NULL; /* the law is a local variable of this function */
     add_noise(random, what, o);
     return status;
 }
 
-/* alpha and rho, and c if P is 3, from starts that know nothing of the truth. e: NULL, where only
- * chi^2 is asked for. */
+/* Fit alpha and rho, and c if P is 3, from starts that do not depend on the truth. e: NULL if only chi^2 is
+ * wanted. */
 static int believe(const data_set *o, const double *x, double sigma, double huber, fvi_estimate *f,
                    fvi_examination *e)
 {
@@ -124,11 +124,10 @@ static int believe(const data_set *o, const double *x, double sigma, double hube
     return status || !e ? status : fvi_estimate_examine(&fit, f, e);
 }
 
-/* How likely the best test of residuals would see this fault. By Neyman and Pearson's lemma that is the
- * test along the fault itself, which knows what the fault is, and its sign: the residuals have the part
- * `visible` sigma of it, that which no parameter makes up for, and noise alone is beyond 1.88 sigma in
- * 3 % of data sets. No test that raises 3 % of false flags in each experiment
- * sees more, to first order in the noise. */
+/* Return the probability with which the best test of residuals would see this fault. By Neyman and Pearson's
+ * lemma this is the test along the fault itself, which knows the fault and its sign. The residuals contain
+ * `visible` sigma of the fault, the part that no parameter can compensate. Noise alone exceeds 1.88 sigma in 3
+ * % of data sets. To first order in the noise, no test with 3 % of false flags in each experiment sees more. */
 static double best_chance(const data_set *o, fault what, const fvi_examination *e)
 {
     double visible;
@@ -145,12 +144,12 @@ static double best_chance(const data_set *o, fault what, const fvi_examination *
     return gsl_cdf_ugaussian_P(visible - gsl_cdf_ugaussian_Qinv(0.03));
 }
 
-/* refused: no answer, or one that is not believed; flagged: an answer with a flag; silent: the
- * rest, and of its intervals those that hold the truth. wrong: an interval misses the truth, or
- * the law is another one. */
+/* refused: no answer, or an answer that is not believed. flagged: an answer with a flag. silent: all other
+ * answers, with the number of their intervals that hold the truth. wrong: an interval misses the truth, or the
+ * law is another one. */
 typedef struct {
     int refused, flagged, silent, held, intervals, wrong, caught;
-    double possible; /* of the wrong ones */
+    double possible; /* the share of the wrong answers that the best test would see */
 } tally;
 
 static void count(const data_set *o, fault what, int status, const fvi_examination *e,
@@ -180,14 +179,14 @@ static double percent(int part, int of)
     return of > 0 ? 100. * part / of : 0;
 }
 
-/* How much of its allowance a share used: it may lie below its goal by chance, by three standard
- * deviations of so many draws. */
+/* Return the used share of the allowance. By chance a share may lie below its goal by three standard deviations
+ * of this number of draws. */
 static double allowance(double goal, double share, int draws)
 {
     return goal > 0 ? (100 - share) / (100 - goal + 3 * sqrt(goal * (100 - goal) / draws)) : 0;
 }
 
-/* The table of figures/identification/coverage.tsv, and the worst of its goals. */
+/* Print the table of figures/identification/coverage.tsv. Return the worst of its goals. */
 double stress_coverage(gsl_rng *random, char *describe, size_t size)
 {
     double worst = 0;
@@ -216,7 +215,7 @@ double stress_coverage(gsl_rng *random, char *describe, size_t size)
         fflush(stdout);
         worst = larger(worst, allowance(rows[row].held, held, all.intervals));
         worst = larger(worst, allowance(rows[row].caught, caught, all.wrong));
-        if (is_right) /* 3 % of false flags, likewise */
+        if (is_right) /* at most 3 % of false flags, with the same allowance */
             worst = larger(worst, allowance(97, 100 - percent(all.flagged, sets), sets));
     }
     snprintf(describe, size, "held and caught in percent");

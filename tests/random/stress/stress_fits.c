@@ -1,5 +1,4 @@
-/* tests/random/stress/stress_fits.c -- Stress: are the errors of a fit what it
- * says, and is the truth found? */
+/* tests/random/stress/stress_fits.c -- Are the errors of a fit as large as it says, and does it find the truth? */
 #include "identification/identification_ref.h"
 #include "stress.h"
 #include "system/larger.h"
@@ -13,7 +12,7 @@
 enum { P = 3, SETS = 500, MANY = 100 };
 static const double SIGMA = 0.02;
 
-/* alpha, rho, c from noisy data; all else is known. */
+/* Fit alpha, rho and c to noisy data. All other parameters are known. */
 static int fit_of(const double *t, const double *x, const fvi_linear_oscillator *begin,
                   size_t starts, fvi_estimate *f)
 {
@@ -47,9 +46,9 @@ static void noisy(gsl_rng *random, const double *exact, double *x)
         x[i] = exact[i] + gsl_ran_gaussian(random, SIGMA);
 }
 
-/* The scatter of 500 estimates over what (24.3) says at the truth, and how many of 500
- * intervals hold it. Four standard deviations of both are allowed: 4 / sqrt(2 * 500) of
- * the scatter, 4 sqrt(0.95 * 0.05 / 500) of the share. The start is 50 % off. */
+/* Compare the scatter of 500 estimates with (24.3) at the truth, and count how many of 500 intervals hold the
+ * truth. Four standard deviations of both are allowed: 4 / sqrt(2 * 500) of the scatter, 4 sqrt(0.95 * 0.05 /
+ * 500) of the share. The start is 50 % off. */
 double stress_scatter(gsl_rng *random, char *describe, size_t size)
 {
     const double *truth = ref_errors[0].truth;
@@ -87,9 +86,9 @@ double stress_scatter(gsl_rng *random, char *describe, size_t size)
     return used;
 }
 
-/* 100 data sets of the two motions of another program, 20 starts that know nothing of
- * them: how many of 5 that may fail did? Found is: alpha, rho and c within 3 sd. A second
- * for each is allowed. */
+/* Fit 100 data sets of the two motions of an independent program, each from 20 starts that do not depend on
+ * them. At most 5 fits may fail. A fit succeeds if alpha, rho and c are within 3 standard deviations. A fit may
+ * take a second. */
 double stress_found(gsl_rng *random, char *describe, size_t size)
 {
     double t[REF_POINTS], x[REF_POINTS], longest = 0;

@@ -23,7 +23,7 @@ typedef struct {
     fvi_run run;
 } chain;
 
-/* h at most 0.7 of the stable step, and a tenth of the fastest period's radian. */
+/* Choose h at most 0.7 of the stable step and at most a tenth of the period over 2 pi of the fastest mode. */
 static void random_chain(gsl_rng *random, chain *c, size_t steps)
 {
     const size_t d =
@@ -54,7 +54,7 @@ static void random_chain(gsl_rng *random, chain *c, size_t steps)
                         .alpha = stress_alpha(random),
                         .past = (fvi_initial_history)gsl_rng_uniform_int(random, 3) };
     fvi_stability_longest_step(&fvi_fractional, &c->run, &step);
-    if (step == 0) { /* alpha near 1: no step is stable; less damping */
+    if (step == 0) { /* alpha is near 1 and no step is stable, so reduce the damping */
         for (size_t i = 0; i < d; i++)
             c->damping[i] *= 0.1 * c->mass[i];
         fvi_stability_longest_step(&fvi_fractional, &c->run, &step);
@@ -62,9 +62,9 @@ static void random_chain(gsl_rng *random, chain *c, size_t steps)
     c->run.h = smaller(0.7 * step, 0.02);
 }
 
-/* F^-(x_k, x_{k+1}) = p_k = F^+(x_{k-1}, x_k): the run gives p_k, the rest is
- * recomputed from its positions, where a rounding u |x| is divided by h and, in
- * the damping, multiplied by at most 4^alpha rho h^(1 - 2 alpha) < 4 m / h. */
+/* F^-(x_k, x_{k+1}) = p_k = F^+(x_{k-1}, x_k). The run gives p_k; F^- and F^+ are recomputed from its
+ * positions. There a rounding error u |x| is divided by h and, in the damping, multiplied by at most 4^alpha
+ * rho h^(1 - 2 alpha) < 4 m / h. */
 double stress_matching(gsl_rng *random, char *describe, size_t size)
 {
     enum { N = 60 };
@@ -134,8 +134,8 @@ static void random_oscillator(gsl_rng *random, oscillator *o, size_t steps)
     o->rho = o->m * stress_decades(random, 1e-4, 0.5);
 }
 
-/* The work of the damping, sum_k d_k rho Delta Delta x_k, over the first `steps`
- * steps: its lowest partial sum, and the largest |E_k - E_0 + work_k|. */
+/* Compute the work of the damping, sum_k d_k rho Delta Delta x_k, over the first `steps` steps: its lowest
+ * partial sum, and the largest |E_k - E_0 + work_k|. */
 static int work_of(const oscillator *o, size_t steps, double *lowest,
                    double *defect)
 {
@@ -155,8 +155,8 @@ static int work_of(const oscillator *o, size_t steps, double *lowest,
     return status;
 }
 
-/* (1-z)^(beta - 1) has a positive real part on the unit circle, so every partial
- * sum is >= 0 for every motion; rounding of H is some u |x| 4^alpha h^(-2 alpha). */
+/* (1-z)^(beta - 1) has a positive real part on the unit circle, so every partial sum is >= 0 for every motion.
+ * The rounding error of H is some u |x| 4^alpha h^(-2 alpha). */
 double stress_dissipation(gsl_rng *random, char *describe, size_t size)
 {
     oscillator o;
@@ -171,8 +171,8 @@ double stress_dissipation(gsl_rng *random, char *describe, size_t size)
     return larger(0, -lowest / rounding);
 }
 
-/* E_k - E_0 + work_k is O(h) for a method of order 1: over the same time and with
- * half the step at least 1.5 times less, unless it is rounding. */
+/* E_k - E_0 + work_k is O(h) for a method of order 1. With half the step it must be at least 1.5 times smaller
+ * over the same time, unless it is rounding. */
 double stress_balance(gsl_rng *random, char *describe, size_t size)
 {
     oscillator o;
@@ -188,8 +188,8 @@ double stress_balance(gsl_rng *random, char *describe, size_t size)
 
 /* ---- scaling, overflow, memories, refusals ---- */
 
-/* A linear system started 2^s times as large moves 2^s times as far, to the bit:
- * no comparison with an absolute number hides anywhere. */
+/* A linear system that starts 2^s times as large moves 2^s times as far, to the bit. So no comparison with an
+ * absolute number occurs anywhere. */
 double stress_scaling(gsl_rng *random, char *describe, size_t size)
 {
     oscillator o;
@@ -216,8 +216,8 @@ double stress_scaling(gsl_rng *random, char *describe, size_t size)
     return 0;
 }
 
-/* Huge starts, steps and springs: either every number is finite, or the run says
- * FVI_EOVRFLW (or cannot solve a step), and what it gave before was finite. */
+/* Huge starts, steps and springs: either every number is finite, or the run returns FVI_EOVRFLW (or cannot
+ * solve a step), and all numbers before are finite. */
 double stress_overflow(gsl_rng *random, char *describe, size_t size)
 {
     oscillator o;
@@ -242,7 +242,7 @@ double stress_overflow(gsl_rng *random, char *describe, size_t size)
     return silent || !honest ? 2 : 0;
 }
 
-/* The tolerance of the exponentials, relative to max|x|, in runs well inside stability. */
+/* The exponentials keep their tolerance, relative to max|x|, in runs well inside the region of stability. */
 double stress_memories(gsl_rng *random, char *describe, size_t size)
 {
     enum { N = 3000 };
@@ -263,7 +263,7 @@ double stress_memories(gsl_rng *random, char *describe, size_t size)
     return fast / (1e-13 * most);
 }
 
-/* One field made wrong: the run is refused, and nothing is handed out. */
+/* With one wrong field the run is refused, and no outputs are written. */
 double stress_refusals(gsl_rng *random, char *describe, size_t size)
 {
     oscillator o;

@@ -1,4 +1,4 @@
-/* tests/random/stress/stress_mechanisms.c -- Random mechanisms in texts: methods agree with each other. */
+/* tests/random/stress/stress_mechanisms.c -- Random mechanisms in texts: different methods agree. */
 #include "stress.h"
 
 #include "system/larger.h"
@@ -21,8 +21,8 @@ static double draw(gsl_rng *random, double low, double high)
     return stress_uniform(random, low, high);
 }
 
-/* Masses that depend on the place, springs of degree four, and now and then a term of first order in v, or
- * one with t. */
+/* Masses that depend on the position, springs of degree four, and sometimes a term of first order in v, or a
+ * term with t. */
 static void draw_lagrangian(gsl_rng *random, mechanism *m)
 {
     size_t at = 0;
@@ -79,7 +79,7 @@ static void draw_damper(gsl_rng *random, const mechanism *m, char *to)
     snprintf(to, 200, "%s : %s", g, law);
 }
 
-/* A sphere about the start, and a velocity along it. */
+/* A sphere around the start, and a velocity along it. */
 static void draw_constraint(gsl_rng *random, mechanism *m)
 {
     double radius = 0, speed = 0;
@@ -114,7 +114,7 @@ static void draw_mechanism(gsl_rng *random, mechanism *m)
                                      draw(random, 0, 1)) > 0;
 }
 
-/* x at T in N steps, d numbers. Returns a status. */
+/* Compute x at T in N steps, d numbers. Returns a status. */
 static int last_of(const fvi_method *method, const fvi_system *system,
                    const mechanism *m, const double *p0, size_t N, double *x)
 {
@@ -131,8 +131,8 @@ static int last_of(const fvi_method *method, const fvi_system *system,
     return status;
 }
 
-/* Of order 2 the error is a third of what the last halving changed; a better method, with its own
- * change, is the truth. Both allowances are wide, because orders are reached at a pace of their own. */
+/* The error of a method of order 2 is a third of the change by the last halving. A better method, with its own
+ * change, is the truth. Both allowances are wide, because a method reaches its order only with small steps. */
 static double compare(const fvi_system *system, const mechanism *m,
                       const double *p0, char *describe, size_t size)
 {
@@ -159,12 +159,12 @@ static double compare(const fvi_system *system, const mechanism *m,
                  off = stress_distance(m->d, x[1], x[3]),
                  other = stress_distance(m->d, x[4], x[3]);
     if (of_nodes > 0.05 || of_stages > 1e-3)
-        return -1; /* too coarse to say anything */
+        return -1; /* the steps are too long for a comparison */
     return larger(off / (1.2 * of_nodes + 2 * of_stages + 1e-11),
                   other / (300 * of_stages + 1e-3 * of_nodes + 1e-10));
 }
 
-/* 200 systems of texts: the node scheme converges to where forms M and D do. */
+/* 200 systems of texts: the node scheme converges to the same motion as forms M and D. */
 double stress_mechanisms(gsl_rng *random, char *describe, size_t size)
 {
     mechanism m;
@@ -189,7 +189,7 @@ double stress_mechanisms(gsl_rng *random, char *describe, size_t size)
     const fvi_system system = { .d = m.d, .mechanism = fvi_mechanism_typed(typed) };
     double p0[MOST_D];
     double used = 2;
-    /* A constraint wants a velocity that keeps to it, whatever L: L_v of v0 is p0. */
+    /* The start must satisfy the constraint, whatever L is. So compute p0 as L_v of v0. */
     if (!fvi_momentum_of_velocity(&system, 0, m.x0, m.v0, p0))
         used = compare(&system, &m, p0, describe, size);
     fvi_typed_mechanism_free(typed);

@@ -1,9 +1,9 @@
-/* tests/random/stress/stress_pulses.c -- Pulses of a force between the steps. */
+/* tests/random/stress/stress_pulses.c -- Forces with pulses that are shorter than a step. */
 #include "stress.h"
 
 #include "variable_steps/pulse_problems.h"
 
-/* A wanted error, by steps of any length, under a force with a pulse. */
+/* Runs with steps of any length keep the wanted error under a force with a pulse. */
 double stress_pulses(gsl_rng *random, char *describe, size_t size)
 {
     static pulse_problem q;

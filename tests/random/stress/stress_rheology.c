@@ -1,5 +1,5 @@
-/* tests/random/stress/stress_rheology.c -- Stress: are the laws of materials found from anywhere,
- * and do their intervals hold the truth? */
+/* tests/random/stress/stress_rheology.c -- Are the laws of materials found from any start, and do their intervals
+ * hold the truth? */
 #include "stress.h"
 
 #include "estimation/rheology_search.h"
@@ -13,7 +13,7 @@
 
 enum { POINTS = 60, FROM = 50, SETS = 600 };
 
-/* Ten laws for moduli, five for creep and for relaxation, by their terms. */
+/* The terms of ten laws for moduli, and of five laws each for creep and for relaxation. */
 static const struct {
     const char *name;
     size_t elements;
@@ -87,7 +87,7 @@ static void add_noise(gsl_rng *random, question *q)
     }
 }
 
-/* How many of 50 random starts end at the least sum. */
+/* Return how many of 50 random starts end at the least sum. */
 static int arrivals(gsl_rng *random, const question *q)
 {
     fvi_rheology_work o;
@@ -110,7 +110,7 @@ static int arrivals(gsl_rng *random, const question *q)
     return arrived;
 }
 
-/* The true numbers, in the order of an answer. */
+/* Return the true numbers, in the order of an answer. */
 static void truth_of(size_t law, double *truth)
 {
     for (size_t n = 0, j = 0; n < laws[law].elements; n++) {

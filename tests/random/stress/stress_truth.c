@@ -1,4 +1,4 @@
-/* tests/random/stress/stress_truth.c -- Stress: runs against the truth. */
+/* tests/random/stress/stress_truth.c -- Compare runs with the truth. */
 #include <fvi/coefficients.h>
 #include "run/whole_run.h"
 #include <fvi/error.h>
@@ -23,7 +23,7 @@ typedef long double quad;
 
 /* ---- exact: masses, stiffness and damping over twelve decades ---- */
 
-/* The largest error of a run over [0, T] in N steps, relative to max |x|. */
+/* Return the largest error of a run over [0, T] in N steps, relative to max |x|. */
 static double error_of_run(const fvi_linear_oscillator *problem, double kappa, double T,
                            size_t N)
 {
@@ -53,11 +53,10 @@ static double error_of_run(const fvi_linear_oscillator *problem, double kappa, d
     return error;
 }
 
-/* With w = sqrt(c/m), r = rho w^(2a-2) / m and W = w T radians on the clock, the
- * error of order 1 is r w h from the damping and, for kappa != 1/2, w h from the
- * start; of order 2, (w h)^2. All add up along the clock: at most
- * 2 (1 + W) w h (r + w h + [kappa != 1/2]), for h and for h/2, and 10^-11 for what
- * rounding does where c, rho and m lie twelve decades apart. */
+/* Let w = sqrt(c/m), r = rho w^(2a-2) / m and W = w T. The error of order 1 is r w h from the damping and, for
+ * kappa != 1/2, w h from the start; the error of order 2 is (w h)^2. All errors add up over the time: to at
+ * most 2 (1 + W) w h (r + w h + [kappa != 1/2]), for h and for h/2, and 10^-11 for rounding errors if c, rho
+ * and m are twelve decades apart. */
 double stress_exact(gsl_rng *random, char *describe, size_t size)
 {
     enum { N = 2000 };
@@ -85,10 +84,10 @@ double stress_exact(gsl_rng *random, char *describe, size_t size)
     return used;
 }
 
-/* ---- halves: a law of two halves of a power takes the other road to x ---- */
+/* ---- halves: a law of two halves of a power takes another algorithm to the same x ---- */
 
-/* As in test_damping_laws_exact.c: frequencies below 10, and w t below 10^4 where the phase
- * matters. Both roads promise so much in their headers. */
+/* As in test_damping_laws_exact.c: frequencies below 10, and w t below 10^4 where the phase matters. The
+ * headers of both algorithms promise this accuracy. */
 double stress_halves(gsl_rng *random, char *describe, size_t size)
 {
     enum { TIMES = 5 };
@@ -124,14 +123,14 @@ double stress_halves(gsl_rng *random, char *describe, size_t size)
 
 /* ---- quadruple: the same operations with 113 bits ---- */
 
-/* Momentum form, d = 1, U = c x^2/2 + g x^4/4 with g = 0 unless kappa = 0. */
+/* Run the momentum form for d = 1, U = c x^2/2 + g x^4/4, with g = 0 unless kappa = 0. */
 static void run_quad(const fvi_run *run, const double cg[2], quad *x)
 {
     const size_t N = run->steps;
     const quad h = run->h, kappa = run->kappa, m = *run->system->mass;
     const quad rho = *run->system->damping, beta = 2 * (quad)run->alpha;
     quad *w = malloc(2 * (N + 1) * sizeof *w), *z = w + N + 1, p = *run->p0;
-    /* h^(1 - beta) in long double: 64 bits are 2000 times more than is asked */
+    /* h^(1 - beta) in long double: 64 bits are 2000 times more accurate than necessary */
     const quad factor =
         rho * (quad)powl(run->h, 1 - 2 * (long double)run->alpha);
     w[0] = 1;
@@ -155,9 +154,9 @@ static void run_quad(const fvi_run *run, const double cg[2], quad *x)
     free(w);
 }
 
-/* A rounding error of u max|x| a step, and of its velocity's share, persists and
- * adds up: at most 16 N u max|x| (1 + R'), R' = what a step of the damping weighs,
- * 4^alpha rho h^(2 - 2 alpha) / m, below 4 in stable runs. */
+/* In each step a rounding error of u max|x|, and the corresponding part of the velocity, persists and adds up:
+ * to at most 16 N u max|x| (1 + R'). R' = 4^alpha rho h^(2 - 2 alpha) / m is the size of the damping in a step,
+ * below 4 in stable runs. */
 double stress_quadruple(gsl_rng *random, char *describe, size_t size)
 {
     enum { N = 600 };
@@ -201,7 +200,7 @@ double stress_quadruple(gsl_rng *random, char *describe, size_t size)
 
 /* ---- rounding: Bagley-Torvik, 10^5 steps, against 113 bits ---- */
 
-/* The plain sum, 5 10^9 products in quadruple precision: two or three minutes. */
+/* Run with the plain sum: 5 10^9 products in quadruple precision, two or three minutes. */
 static void run_plate(size_t N, double step, quad *x)
 {
     const quad h = step;
