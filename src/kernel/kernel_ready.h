@@ -8,22 +8,23 @@
 
 typedef struct {
     const fvi_kernel *law;
-    fvi_kernel_simple *term; /* the terms of the law that are fractions of powers */
-    size_t terms;
-    fvi_delta kind;
-    double h;
-    int increments;
-    double strip; /* width of the strip of terms on the cut (fvi_kernel_is_on_cut), divided by pi/2; 0 if one of them has
-                     no modes */
+    fvi_kernel_simple *term; /* the terms of the law that are not general, as simple terms */
+    size_t terms;            /* number of simple terms */
+    fvi_delta kind;          /* quadrature: C(delta(z)/h) generates the weights */
+    double h;                /* step length */
+    int increments;          /* 1 if the history sums increments; then C(delta(z)/h) / (1 - z) generates the weights */
+    double strip;            /* width of the strip of terms on the cut (fvi_kernel_is_on_cut), divided by pi/2; 0 if one
+                                of them has no modes */
 } fvi_kernel_ready;
 
 /* fvi_kernel_ready_has_modes -- Write to *has whether the weights behind the window are a sum of decaying modes (26.6).
  * Return FVI_SUCCESS or FVI_ENOMEM. */
 int fvi_kernel_ready_has_modes(const fvi_kernel_ready *r, int *has);
 
-/* fvi_kernel_ready_modes -- Compute the modes for lags up to N with the relative error delta.
+/* fvi_kernel_ready_modes -- Compute the modes of the weights for lags n up to N: w_n = sum_q c_q exp(-n s_q) with the
+ * relative error delta.
  *
- *   s, c   outputs, rates and coefficients, *count numbers each; with s = NULL only *count is computed
+ *   s, c   outputs, rates and coefficients, *count numbers each; if both are NULL, only *count is computed
  *   count  output: the number of modes
  *
  * The modes of the cut come first, then those of the poles, and then a spring if the history sums increments. Return
