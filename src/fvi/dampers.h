@@ -4,8 +4,8 @@
  *
  * A damper measures one number, its elongation z = g(x), and answers with the force C(D) (z - z_0) along grad g. For
  * example, a damper between two masses has g(x) = x_2 - x_1, and for a strut between two points of the plane g is their
- * distance. A system with dampers has no damping of its own: its `damping` is zero, and the alpha of a run is not read;
- * its law is NULL.
+ * distance. A system with dampers has no damping of its own: `damping` of the system is zero, `law` of the run is NULL,
+ * and `alpha` of the run is not read.
  *
  *     const double between[] = { -1, 1 };
  *     const fvi_damper damper = { .of = fvi_elongation_row(between), .kernel = &zener };
@@ -90,8 +90,9 @@ typedef struct fvi_mechanism {
 
 /* ---- what a run with a mechanism gives besides x and p ----
  *
- * These functions read a stepper whose system has a mechanism. Any other stepper gives FVI_EUNSUP, and a null pointer
- * FVI_EFAULT. They change nothing, and on error the outputs are untouched. At k = 0 all sums are zero. For example,
+ * These functions read a stepper whose system has a mechanism. Any other stepper gives FVI_EUNSUP, except for
+ * fvi_stepper_energy. A null pointer gives FVI_EFAULT. Only fvi_stepper_keep_dampers changes the stepper. On error the
+ * outputs are untouched. At k = 0 all sums are zero. For example,
  *
  *     double impulse, work;
  *     fvi_stepper_damper(s, 0, &impulse, &work);

@@ -55,8 +55,8 @@ typedef enum {
  *   rho         finite, >= 0
  *   alpha       0 <= alpha <= 1, and 2 alpha <= 1 for a HAVRILIAK
  *   time        finite, >= 0; with time = 0 a ZENER is a POWER, and a MAXWELL is a dashpot. The unit is that of a time
- *               to the power 2 alpha for ZENER and HAVRILIAK, to the power 2 (alpha - end) for a MAXWELL2, and of a time for
- *               MAXWELL and DAVIDSON
+ *               to the power 2 alpha for ZENER and HAVRILIAK, to the power 2 (alpha - end) for a MAXWELL2, and of a
+ *               time for MAXWELL and DAVIDSON
  *   end         alpha < end <= 1 for a DISTRIBUTED, 0 <= end <= alpha for a MAXWELL2, 0 < end <= 1 for a HAVRILIAK */
 typedef struct {
     fvi_kernel_kind kind;
@@ -155,9 +155,13 @@ int fvi_kernel_moduli(const fvi_kernel *law, double omega, double *storage,
  * checked. */
 double fvi_kernel_symbol(const fvi_kernel *law, double s);
 
-/* fvi_kernel_growth -- return the largest nu for which |C(s)| grows like |s|^nu at infinity, up to a logarithm: 2 alpha
- * for a POWER; 0 for a MAXWELL, a ZENER or a DAVIDSON with time > 0; 2 end for a DISTRIBUTED, and for a MAXWELL2 with
- * time > 0; 2 alpha (1 - end) for a HAVRILIAK with time > 0. A law "grows faster than s" if this number is above 1. The law must have passed fvi_kernel_check. */
+/* fvi_kernel_growth -- return the largest nu for which |C(s)| grows like |s|^nu at infinity, up to a logarithm.
+ *
+ *   POWER        2 alpha
+ *   DISTRIBUTED  2 end
+ *   with time > 0: 0 for a ZENER, a MAXWELL or a DAVIDSON, 2 end for a MAXWELL2, 2 alpha (1 - end) for a HAVRILIAK
+ *
+ * A law "grows faster than s" if this number is above 1. The law must have passed fvi_kernel_check. */
 double fvi_kernel_growth(const fvi_kernel *law);
 
 /* fvi_kernel_takes_caputo -- return nonzero if no order of the law is above 1. The past CAPUTO is then the same as
@@ -180,9 +184,9 @@ int fvi_kernel_takes_caputo(const fvi_kernel *law);
  * Accuracy: relative to the largest weight, 60 u for each term, u = 2^-53 (no proof; seen 3 u). A ZENER with
  * 2 alpha > 1, and a MAXWELL2 with 2 (alpha - end) > 1, are worse: their weights oscillate, and rounding errors last as
  * long as the oscillation does (seen 1800 u in 1500 weights, alpha = 0.985).
- * Cost: O(count); O(count^2) for a ZENER with alpha other than 1/2, and for a MAXWELL2. A DAVIDSON, a HAVRILIAK and a SYMBOL take
- * about 8 count values of their symbol and O(count ln count); only their large weights are right to many digits,
- * because the error is relative to the largest weight.
+ * Cost: O(count); O(count^2) for a ZENER with alpha other than 1/2, and for a MAXWELL2. A DAVIDSON, a HAVRILIAK and a
+ * SYMBOL take about 8 count values of their symbol and O(count ln count). Only their large weights are right to many
+ * digits, because the error is relative to the largest weight.
  * Returns FVI_SUCCESS; what fvi_kernel_check returns, but poles are not looked for; FVI_EFAULT if w is NULL; FVI_EINVAL
  * if count == 0 or kind is another; FVI_EDOM for h; FVI_ENOMEM. On error w is untouched, but of no use after
  * FVI_ENOMEM. */

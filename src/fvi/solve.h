@@ -116,8 +116,8 @@ typedef struct {
  *   agreed, agreed_until, events_differ  for FVI_ETOL with events: the number of events that the last two runs have in
  *             common; the time of the last of them; nonzero if the runs differ after that time
  *   until     for FVI_ETOL: the tolerance is reached up to this time, by an estimate. 0 if this time is less than a
- *             twentieth of T. Also 0 if two runs agree up to T: their difference is then small by chance, because it
- *             does not fall with the step as the order of the method demands */
+ *             twentieth of T. Also 0 if two runs agree up to T, but the difference between runs does not fall with the
+ *             step as the order of the method demands */
 typedef struct {
     const fvi_method *method, *other;
     size_t steps, rejected;
@@ -143,13 +143,13 @@ typedef struct {
  * fvi_cq_bdf2 needs 7 ms and fvi_lobatto_m4 140 ms for the tolerance 1e-3, and 293 ms and 152 ms for 1e-6. With
  * zener:1,0.3,0.5 fvi_variable_step needs 0.5 ms and fvi_cq_bdf2 22 ms for 1e-6.
  *
- * Cost: the start of a run, if the run has a law. The method may still refuse the run for another reason;
- * fvi_stepper_start tells. */
+ * Cost: the start of a run, if the run has a law. The method may still refuse the run for another reason, which
+ * fvi_stepper_start reports. */
 const fvi_method *fvi_method_for_error(const fvi_run *run, double tolerance);
 
 /* fvi_solve -- Compute the motion at the times of the outputs.
  *
- *   options, accuracy  NULL: the usual choice. Without a tolerance options->h is needed
+ *   options, accuracy  NULL: the usual choice. Without a tolerance options->h is needed, except for fvi_variable_step
  *   report, error      outputs, or NULL. The report is filled in after success and after FVI_ETOL
  *
  * Estimate of the error. With a tolerance fvi_variable_step runs twice, on meshes that cannot coincide, and takes the

@@ -292,9 +292,9 @@ int fvi_stepper_copy(const fvi_stepper *from, fvi_stepper **to);
  * and they are constant. The potential, the matrices and the force must be the same.
  *
  * `steps` of the second run may differ, but not be below k, if the run has no history, or if it has FVI_HISTORY_DIRECT
- * and a method without stages. In all other cases, and for fvi_variable_step, some constant pieces depend on `steps`, so
- * an archive that compares them refuses another number. All pieces have the binary format of this machine. They have O(Q d) bytes with FVI_HISTORY_MODES and O(k d)
- * with FVI_HISTORY_DIRECT.
+ * and a method without stages. In all other cases, and for fvi_variable_step, some constant pieces depend on `steps`.
+ * An archive that compares them refuses another number. All pieces have the binary format of this machine. They have
+ * O(Q d) bytes with FVI_HISTORY_MODES and O(k d) with FVI_HISTORY_DIRECT.
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EUNSUP, before any piece, if the method has a method_state
  * and no serialize; FVI_EINVAL in a callback of this stepper, for a stepper whose last step failed, and for a loaded
