@@ -4,7 +4,7 @@
  * 200 times up to 60 with Gaussian noise of sigma = 0.02. The mean is the mean square of the residuals divided
  * by sigma^2.
  * - Block 0: alpha, c and the mean, with the true rho.
- * - Block 1 (after an empty line): alpha, c and the mean where those searches end that begin in the local
+ * - Block 1: alpha, c and the mean where those searches end that begin in the local
  *   minima of this grid.
  * - Block 2: c, then the least mean over alpha, and the least mean over alpha and rho. */
 #include <fvi/fvi.h>

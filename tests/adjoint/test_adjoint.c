@@ -1,4 +1,5 @@
-/* tests/adjoint/test_adjoint.c -- H 23.          Run alone: make test-adjoint */
+/* tests/adjoint/test_adjoint.c -- H 23: gradients of runs of one coordinate.
+ * Run alone: make test-adjoint */
 #include "adjoint_runs.h"
 #include "run/whole_run.h"
 

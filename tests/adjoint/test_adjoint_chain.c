@@ -1,5 +1,5 @@
-/* tests/adjoint/test_adjoint_chain.c -- H 23: many coordinates.
- *                                        Run alone: make test-adjoint_chain */
+/* tests/adjoint/test_adjoint_chain.c -- H 23: gradients of chains of many masses.
+ * Run alone: make test-adjoint_chain */
 #include "complex_run.h"
 #include "harness/full_chain.h"
 #include "system/larger.h"

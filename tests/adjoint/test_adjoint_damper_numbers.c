@@ -1,5 +1,6 @@
-/* tests/adjoint/test_adjoint_damper_numbers.c -- H 23, 27: several dampers, and the numbers of their
- * laws.                              Run alone: make test-adjoint_damper_numbers */
+/* tests/adjoint/test_adjoint_damper_numbers.c -- H 23, 27: derivatives of structures with several dampers by the
+ * numbers of their laws.
+ * Run alone: make test-adjoint_damper_numbers */
 #include "../structures/structures_runs.h"
 #include <fvi/adjoint.h>
 #include <fvi/dampers.h>

@@ -1,5 +1,6 @@
-/* tests/adjoint/test_adjoint_force_values.c -- H 23: forces and impulses of dampers in J, against numbers of 40 digits.
- *                                                     Run alone: make test-adjoint_force_values */
+/* tests/adjoint/test_adjoint_force_values.c -- H 23: objectives J of the forces and impulses of dampers, compared
+ * with derivatives of 40 digits.
+ * Run alone: make test-adjoint_force_values */
 #include "loss_of_forces.h"
 
 #include "adjoint_forces_ref.h"

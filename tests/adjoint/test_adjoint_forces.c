@@ -1,5 +1,5 @@
-/* tests/adjoint/test_adjoint_forces.c -- H 23: forces and impulses of dampers in J.
- *                                                     Run alone: make test-adjoint_forces */
+/* tests/adjoint/test_adjoint_forces.c -- H 23: objectives J of the forces and impulses of dampers.
+ * Run alone: make test-adjoint_forces */
 #include "loss_of_forces.h"
 
 #include "system/larger.h"

@@ -1,5 +1,6 @@
-/* tests/adjoint/test_adjoint_identities.c -- H 23: reciprocity, Taylor, errors.
- *                                      Run alone: make test-adjoint_identities */
+/* tests/adjoint/test_adjoint_identities.c -- H 23: identities of the adjoint run (reciprocity, Taylor's remainder),
+ * and its errors.
+ * Run alone: make test-adjoint_identities */
 #include "adjoint_runs.h"
 #include "run/whole_run.h"
 

@@ -1,5 +1,5 @@
-/* tests/adjoint/test_adjoint_law_numbers.c -- H 23: derivatives by the exponents and
- * times of a law.                 Run alone: make test-adjoint_law_numbers */
+/* tests/adjoint/test_adjoint_law_numbers.c -- H 23: derivatives by the exponents and times of a law.
+ * Run alone: make test-adjoint_law_numbers */
 #include "adjoint_runs.h"
 #include "harness/seen.h"
 

@@ -1,5 +1,5 @@
-/* tests/adjoint/test_adjoint_laws.c -- H 23: laws of damping.
- *                                        Run alone: make test-adjoint_laws */
+/* tests/adjoint/test_adjoint_laws.c -- H 23: derivatives of runs with a law of damping.
+ * Run alone: make test-adjoint_laws */
 #include "adjoint_runs.h"
 #include "chain_with_a_law.h"
 #include "distance_to_sine.h"

@@ -1,5 +1,5 @@
-/* tests/adjoint/test_adjoint_matrices.c -- H 23: systems with matrices.
- *                                        Run alone: make test-adjoint_matrices */
+/* tests/adjoint/test_adjoint_matrices.c -- H 23: derivatives of systems with matrices.
+ * Run alone: make test-adjoint_matrices */
 #include "structures/structures_runs.h"
 #include "run/whole_run.h"
 #include "system/larger.h"

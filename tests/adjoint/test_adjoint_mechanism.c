@@ -1,5 +1,6 @@
 /* tests/adjoint/test_adjoint_mechanism.c -- H 23, 29: derivatives of runs with dampers between points, a
- * Lagrangian, forces of velocity and constraints.      Run alone: make test-adjoint_mechanism */
+ * Lagrangian, forces that depend on the velocity, and constraints.
+ * Run alone: make test-adjoint_mechanism */
 #include <fvi/fvi.h>
 
 #include "harness/seen.h"

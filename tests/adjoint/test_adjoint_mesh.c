@@ -1,5 +1,5 @@
-/* tests/adjoint/test_adjoint_mesh.c -- H 23: steps of any length.
- *                                        Run alone: make test-adjoint_mesh */
+/* tests/adjoint/test_adjoint_mesh.c -- H 23: derivatives of runs with steps of any length.
+ * Run alone: make test-adjoint_mesh */
 #include "adjoint_meshes.h"
 #include "run/whole_run.h"
 #include "stages/variable_modes.h"

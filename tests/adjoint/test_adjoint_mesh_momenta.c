@@ -1,5 +1,5 @@
-/* tests/adjoint/test_adjoint_mesh_momenta.c -- H 23: J of every momentum, steps of any length.
- *                                        Run alone: make test-adjoint_mesh_momenta */
+/* tests/adjoint/test_adjoint_mesh_momenta.c -- H 23: objectives J of every momentum, with steps of any length.
+ * Run alone: make test-adjoint_mesh_momenta */
 #include "adjoint_meshes.h"
 #include "run/whole_run.h"
 

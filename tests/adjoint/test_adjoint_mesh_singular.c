@@ -1,5 +1,6 @@
-/* tests/adjoint/test_adjoint_mesh_singular.c -- H 23: steps of any length, where the past
- * pulls the start.                     Run alone: make test-adjoint_mesh_singular */
+/* tests/adjoint/test_adjoint_mesh_singular.c -- H 23: derivatives with steps of any length, if the past makes the
+ * start singular.
+ * Run alone: make test-adjoint_mesh_singular */
 #include "adjoint_meshes.h"
 #include "variable_step/variable_step.h"
 #include "system/larger.h"

@@ -1,6 +1,6 @@
-/* tests/adjoint/test_adjoint_mesh_singular_values.c -- H 23: steps of any length, where the
- * past pulls the start, against derivatives of 25 digits.
- *                               Run alone: make test-adjoint_mesh_singular_values */
+/* tests/adjoint/test_adjoint_mesh_singular_values.c -- H 23: derivatives with steps of any length, if the past
+ * makes the start singular, compared with derivatives of 25 digits.
+ * Run alone: make test-adjoint_mesh_singular_values */
 #include "adjoint_runs.h"
 #include "variable_step/variable_step.h"
 

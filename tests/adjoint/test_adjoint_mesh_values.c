@@ -1,5 +1,6 @@
-/* tests/adjoint/test_adjoint_mesh_values.c -- H 23: steps of any length, against
- * derivatives of 40 digits.        Run alone: make test-adjoint_mesh_values */
+/* tests/adjoint/test_adjoint_mesh_values.c -- H 23: derivatives with steps of any length, compared with derivatives
+ * of 40 digits.
+ * Run alone: make test-adjoint_mesh_values */
 #include "adjoint_runs.h"
 
 #include "adjoint_mesh_ref.h"

@@ -1,9 +1,9 @@
-/* tests/adjoint/test_adjoint_momenta.c -- H 23: objectives that know every momentum.
- *                                        Run alone: make test-adjoint_momenta
+/* tests/adjoint/test_adjoint_momenta.c -- H 23: objectives J of every momentum.
+ * Run alone: make test-adjoint_momenta
  *
- * A run that ends at t_k has the same steps as a longer one. So the derivatives of sum_k a_k . p_k
- * are the sum of those of a_k . p_k, the last momentum of a run of k steps, which other tests
- * compare with complex steps and with references. */
+ * A run that ends at t_k has the same steps as a longer one. So the derivatives of sum_k a_k . p_k are the sum of
+ * those of a_k . p_k, the last momentum of a run of k steps, which other tests compare with complex steps and with
+ * references. */
 #include "runs_of_all_kinds.h"
 
 static double share(size_t k, size_t i)

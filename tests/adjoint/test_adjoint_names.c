@@ -1,5 +1,6 @@
-/* tests/adjoint/test_adjoint_names.c -- H 23, 29: derivatives by names that stand in elongations, constraints, imposed
- * coordinates and forces of velocity.                Run alone: make test-adjoint_names */
+/* tests/adjoint/test_adjoint_names.c -- H 23, 29: derivatives by names that occur in elongations, constraints,
+ * imposed coordinates and forces of velocity.
+ * Run alone: make test-adjoint_names */
 #include <fvi/fvi.h>
 
 #include "harness/seen.h"

@@ -1,5 +1,5 @@
-/* tests/adjoint/test_adjoint_node_values.c -- H 23: methods without stages, against
- * derivatives of 40 digits.        Run alone: make test-adjoint_node_values */
+/* tests/adjoint/test_adjoint_node_values.c -- H 23: methods without stages, compared with derivatives of 40 digits.
+ * Run alone: make test-adjoint_node_values */
 #include "adjoint_runs.h"
 
 #include "adjoint_nodes_ref.h"

@@ -1,5 +1,5 @@
-/* tests/adjoint/test_adjoint_stage_values.c -- H 23: methods with stages, against
- * derivatives of 40 digits.       Run alone: make test-adjoint_stage_values */
+/* tests/adjoint/test_adjoint_stage_values.c -- H 23: methods with stages, compared with derivatives of 40 digits.
+ * Run alone: make test-adjoint_stage_values */
 #include "adjoint_runs.h"
 #include "stages/lobatto_history.h"
 

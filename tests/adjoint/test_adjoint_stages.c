@@ -1,5 +1,5 @@
-/* tests/adjoint/test_adjoint_stages.c -- H 23: methods with stages, and identities
- * that every method has to keep.       Run alone: make test-adjoint_stages */
+/* tests/adjoint/test_adjoint_stages.c -- H 23: methods with stages, and identities that every method must satisfy.
+ * Run alone: make test-adjoint_stages */
 #include "adjoint_runs.h"
 #include "distance_to_sine.h"
 #include "run/whole_run.h"

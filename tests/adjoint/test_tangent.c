@@ -1,9 +1,9 @@
-/* tests/adjoint/test_tangent.c -- H 24: derivatives along directions, side by side with a run.
- *                                 Run alone: make test-tangent
+/* tests/adjoint/test_tangent.c -- H 24: derivatives along directions, computed together with a run.
+ * Run alone: make test-tangent
  *
- * J = sum_k a_k . x_k + b_k . p_k has the derivative sum_k a_k . dx_k + b_k . dp_k along a direction, and the
- * adjoint run has it as the product of the gradient with that direction. The two solve the same equations in
- * opposite orders, with different memories; the gradient stands against references of 40 digits. */
+ * J = sum_k a_k . x_k + b_k . p_k has the derivative sum_k a_k . dx_k + b_k . dp_k along a direction. The adjoint
+ * run gives the same number as the product of its gradient with the direction. The two solve the same equations in
+ * opposite orders, with different memories. Other tests compare the gradient with references of 40 digits. */
 #include "runs_of_all_kinds.h"
 #include <fvi/adjoint.h>
 

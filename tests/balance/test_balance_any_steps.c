@@ -1,5 +1,5 @@
-/* tests/balance/test_balance_any_steps.c -- H 21: the energy of form D, whatever
- * the steps. Run alone: make test-balance_any_steps */
+/* tests/balance/test_balance_any_steps.c -- H 21: the energy of form D, for steps of any length.
+ * Run alone: make test-balance_any_steps */
 #include <fvi/error.h>
 #include <fvi/variable_steps.h>
 #include "harness/energy.h"

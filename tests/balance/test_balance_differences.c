@@ -1,6 +1,6 @@
-/* tests/balance/test_balance_differences.c -- What differencing the equation has, and what
- * it has not.                     Run alone: make test-balance_differences
- *                                 [chapters/handbook/what_the_principle_buys.md] */
+/* tests/balance/test_balance_differences.c -- Properties that schemes of differences share with variational
+ * schemes, and properties that they lack. [chapters/handbook/what_the_principle_buys.md]
+ * Run alone: make test-balance_differences */
 #include "balance/differences.h"
 #include "run/whole_run.h"
 

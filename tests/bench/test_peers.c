@@ -1,8 +1,8 @@
-/* tests/bench/test_peers.c -- H 18.  Run alone: make test-peers
+/* tests/bench/test_peers.c -- H 18: the peers of the benchmark are right.
+ * Run alone: make test-peers
  *
- * What ours are measured against must be right, or a lead means nothing: each peer
- * converges to the truth at the order that its publication states, and the truth agrees
- * with the exact solutions. */
+ * The comparison with the peers is only fair if they are right. So each peer must converge to the truth with the
+ * order that its publication states, and the truth must agree with the exact solutions. */
 #include "fft_blocks.h"
 #include "run/whole_run.h"
 #include "peers/peers.h"

@@ -1,4 +1,5 @@
-/* tests/blocks/test_blocks.c -- H 28.       Run alone: make test-blocks */
+/* tests/blocks/test_blocks.c -- H 28: the memory by blocks gives the same sums as the memory without blocks.
+ * Run alone: make test-blocks */
 #include <fvi/fvi.h>
 #include "harness/saved.h"
 #include "harness/ulp.h"

@@ -1,4 +1,4 @@
-/* tests/blocks/test_blocks_wave.c -- H 28: a string against one oscillator.
+/* tests/blocks/test_blocks_wave.c -- H 28: a mode of a string, compared with one oscillator.
  * Run alone: make test-blocks_wave */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"

@@ -1,4 +1,5 @@
-/* tests/coefficients/test_coefficients.c -- H 4.   Run alone: make test-coefficients */
+/* tests/coefficients/test_coefficients.c -- H 4: the weights.
+ * Run alone: make test-coefficients */
 #include <fvi/coefficients.h>
 #include <fvi/error.h>
 #include "harness/ulp.h"

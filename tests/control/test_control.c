@@ -1,4 +1,5 @@
-/* tests/control/test_control.c -- H 25.           Run alone: make test-control */
+/* tests/control/test_control.c -- H 25: the least force.
+ * Run alone: make test-control */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 #include "harness/ulp.h"

@@ -1,4 +1,4 @@
-/* tests/convergence/test_convergence_bound.c -- H 20: runs, and what bounds their errors.
+/* tests/convergence/test_convergence_bound.c -- H 20: the errors of runs, and their bounds.
  * Run alone: make test-convergence_bound */
 #include "motions.h"
 #include "system/larger.h"

@@ -1,5 +1,5 @@
-/* tests/convergence/test_convergence_springs.c -- H 20: the error of form D on a spring, by
- * formula, on any mesh.
+/* tests/convergence/test_convergence_springs.c -- H 20: the error of form D on a spring by its formula, on any
+ * mesh.
  * Run alone: make test-convergence_springs */
 #include "springs.h"
 #include "variable_step/variable_step.h"

@@ -1,5 +1,5 @@
-/* tests/convergence/test_convergence_times.c -- H 20: what bounds the error of form D on a spring
- * at all times, and on graded meshes.
+/* tests/convergence/test_convergence_times.c -- H 20: the bounds of the error of form D on a spring at all times,
+ * and on graded meshes.
  * Run alone: make test-convergence_times */
 #include "any_mesh.h"
 #include "springs.h"

@@ -1,5 +1,5 @@
-/* tests/convolution_quadrature/test_convolution_quadrature_runs.c -- H 13: both integrators of order
- * 2 against exact values and against what is known of them.
+/* tests/convolution_quadrature/test_convolution_quadrature_runs.c -- H 13: both integrators of order 2, compared
+ * with exact values, and their known properties.
  * Run alone: make test-convolution_quadrature_runs */
 #include "harness/fvi_runs.h"
 

@@ -1,4 +1,4 @@
-/* tests/damping_laws/test_damping_laws.c -- Tests of H 26: symbols and weights.
+/* tests/damping_laws/test_damping_laws.c -- H 26: symbols and weights.
  * Run alone: make test-damping_laws */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"

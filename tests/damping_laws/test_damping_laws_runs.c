@@ -1,4 +1,4 @@
-/* tests/damping_laws/test_damping_laws_runs.c -- Tests of H 26: motions with a law.
+/* tests/damping_laws/test_damping_laws_runs.c -- H 26: motions with a law.
  * Run alone: make test-damping_laws_runs */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"

@@ -1,5 +1,6 @@
-/* tests/damping_laws/test_damping_laws_start.c -- H 26: laws that grow faster than s, and a push
- * at the start.                              Run alone: make test-damping_laws_start */
+/* tests/damping_laws/test_damping_laws_start.c -- H 26: laws whose symbol grows faster than s, and a push at the
+ * start.
+ * Run alone: make test-damping_laws_start */
 #include <fvi/fvi.h>
 #include "damping_laws_ref.h"
 #include "harness/seen.h"

@@ -1,4 +1,4 @@
-/* tests/discrete_mechanics/test_discrete_mechanics.c -- H 2.
+/* tests/discrete_mechanics/test_discrete_mechanics.c -- H 2: trajectories of the methods without memory.
  * Run alone: make test-discrete_mechanics */
 #include <fvi/discrete_mechanics.h>
 #include <fvi/error.h>

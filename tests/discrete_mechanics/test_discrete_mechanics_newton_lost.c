@@ -1,4 +1,5 @@
-/* tests/discrete_mechanics/test_discrete_mechanics_newton_lost.c -- H 2: where Newton's method alone is lost.
+/* tests/discrete_mechanics/test_discrete_mechanics_newton_lost.c -- H 2: equations for which Newton's method alone
+ * fails.
  * Run alone: make test-discrete_mechanics_newton_lost */
 #include <fvi/convolution_quadrature_methods.h>
 #include "run/whole_run.h"

@@ -1,4 +1,4 @@
-/* tests/discrete_mechanics/test_discrete_mechanics_order.c -- H 2: how fast errors vanish.
+/* tests/discrete_mechanics/test_discrete_mechanics_order.c -- H 2: the orders of the errors.
  * Run alone: make test-discrete_mechanics_order */
 #include <fvi/discrete_mechanics.h>
 #include <fvi/error.h>

@@ -1,7 +1,9 @@
-/* tests/discrete_mechanics/test_discrete_mechanics_own.c -- H 2: a potential that solves
- * the equation of a step for itself. A membrane, SIDE x SIDE masses in a frame, each
- * tied to its four neighbours; its Hessian is never written down.
- * Run alone: make test-discrete_mechanics_own */
+/* tests/discrete_mechanics/test_discrete_mechanics_own.c -- H 2: a potential that solves the equation of a step
+ * itself.
+ * Run alone: make test-discrete_mechanics_own
+ *
+ * The potential is that of a membrane: SIDE x SIDE masses in a frame, each connected to its four neighbours. Its
+ * Hessian is never written down. */
 #include <fvi/convolution_quadrature_methods.h>
 #include "run/whole_run.h"
 #include <fvi/discrete_mechanics.h>

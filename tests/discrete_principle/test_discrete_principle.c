@@ -1,4 +1,4 @@
-/* tests/discrete_principle/test_discrete_principle.c -- H 6.
+/* tests/discrete_principle/test_discrete_principle.c -- H 6: the discrete action and its variations.
  * Run alone: make test-discrete_principle */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"

@@ -1,4 +1,4 @@
-/* tests/discrete_principle/test_discrete_principle_errors.c -- H 6: what is refused.
+/* tests/discrete_principle/test_discrete_principle_errors.c -- H 6: inputs that are refused.
  * Run alone: make test-discrete_principle_errors */
 #include <fvi/error.h>
 #include <fvi/paper/discrete_principle.h>

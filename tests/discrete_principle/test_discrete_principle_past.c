@@ -1,5 +1,5 @@
-/* tests/discrete_principle/test_discrete_principle_past.c -- H 6: an action that knows the
- * past. Run alone: make test-discrete_principle_past */
+/* tests/discrete_principle/test_discrete_principle_past.c -- H 6: an action with a given past.
+ * Run alone: make test-discrete_principle_past */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 #include <fvi/paper/discrete_principle.h>

@@ -1,4 +1,4 @@
-/* tests/events/test_events.c -- Events: stops, marks, kicks, and what is refused.     [H 22]
+/* tests/events/test_events.c -- Events: stops, marks, kicks, and events that are refused. [H 22]
  * Run alone: make test-events */
 #include "ball.h"
 #include "harness/saved.h"

@@ -1,4 +1,4 @@
-/* tests/events/test_events_accuracy.c -- Events of a motion that is right to a wanted error.     [H 22]
+/* tests/events/test_events_accuracy.c -- Events of a motion that is accurate to a wanted error. [H 22]
  * Run alone: make test-events_accuracy */
 #include "ball.h"
 

@@ -1,7 +1,8 @@
-/* tests/exact_solution/test_exact_solution_erfc.c -- H 11, by another road: for alpha = 1/4
- * and 3/4 the transform is rational in w = sqrt(s), and its inverse is a sum of
- * complex error functions, here libcerf's.
- * Run alone: make test-exact_solution_erfc */
+/* tests/exact_solution/test_exact_solution_erfc.c -- H 11: the exact solution by complex error functions.
+ * Run alone: make test-exact_solution_erfc
+ *
+ * For alpha = 1/4 and 3/4 the transform is rational in w = sqrt(s). So its inverse is a sum of complex error
+ * functions, which libcerf computes here. */
 #include "exact_problems.h"
 #include "system/larger.h"
 

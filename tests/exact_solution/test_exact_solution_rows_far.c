@@ -1,5 +1,5 @@
-/* tests/exact_solution/test_exact_solution_rows_far.c -- H 11: rows far out, rows that are
- * lost, and what is no problem.
+/* tests/exact_solution/test_exact_solution_rows_far.c -- H 11: rows at long times, rows that cannot be computed,
+ * and problems that are refused.
  * Run alone: make test-exact_solution_rows_far */
 #include "exact_rows.h"
 #include "system/larger.h"

@@ -1,5 +1,4 @@
-/* tests/exact_solution/test_exact_solution_vectors.c -- H 11: complex functions, many at
- * once.
+/* tests/exact_solution/test_exact_solution_vectors.c -- H 11: complex functions of many arguments at once.
  * Run alone: make test-exact_solution_vectors */
 #include "reference/exact_vectors.h"
 #include "exact_rows.h"

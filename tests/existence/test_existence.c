@@ -1,4 +1,5 @@
-/* tests/existence/test_existence.c -- H 15.   Run alone: make test-existence */
+/* tests/existence/test_existence.c -- H 15: Picard's iterates and their bounds.
+ * Run alone: make test-existence */
 #include <fvi/paper/fractional_derivative.h>
 #include "existence_runs.h"
 

@@ -1,5 +1,5 @@
-/* tests/existence/test_existence_errors.c -- H 15: the error of the grid, and what is
- * refused. Run alone: make test-existence_errors */
+/* tests/existence/test_existence_errors.c -- H 15: the error of the grid, and inputs that are refused.
+ * Run alone: make test-existence_errors */
 #include "existence_runs.h"
 
 #include "existence_ref.h"

@@ -1,6 +1,7 @@
-/* tests/experiments/test_experiments.c -- H 10, the yardsticks; what is measured with
- * them is in test_experiments_panels.c and test_experiments_bagley_torvik.c.
- * Run alone: make test-experiments */
+/* tests/experiments/test_experiments.c -- H 10: the tools that measure errors and orders.
+ * Run alone: make test-experiments
+ *
+ * test_experiments_panels.c and test_experiments_bagley_torvik.c test the measurements. */
 #include <fvi/fvi.h>
 #include <fvi/paper/experiments.h>
 #include "harness/ulp.h"

@@ -1,5 +1,5 @@
-/* tests/experiments/test_experiments_panels.c -- H 10, the numbers in the panels of the
- * oscillator.                        Run alone: make test-experiments_panels */
+/* tests/experiments/test_experiments_panels.c -- H 10: the numbers in the panels of the oscillator.
+ * Run alone: make test-experiments_panels */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 #include <fvi/paper/algorithm_3.h>

@@ -1,5 +1,5 @@
-/* tests/expression/test_expression_enclosure.c -- What a force can be between two times.
- *                                       Run alone: make test-expression_enclosure */
+/* tests/expression/test_expression_enclosure.c -- Bounds of a force between two times.
+ * Run alone: make test-expression_enclosure */
 #include "parsed.h"
 
 #include <gsl/gsl_rng.h>

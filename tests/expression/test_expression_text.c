@@ -1,5 +1,6 @@
-/* tests/expression/test_expression_text.c -- Texts of expressions: what is understood, and
- * where one is wrong.   Run alone: make test-expression_text */
+/* tests/expression/test_expression_text.c -- Texts of expressions: texts that are understood, and the place of an
+ * error in a wrong text.
+ * Run alone: make test-expression_text */
 #include "parsed.h"
 
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* tests/fractional_derivative/test_fractional_derivative.c -- H 1.
+/* tests/fractional_derivative/test_fractional_derivative.c -- H 1: the fractional derivatives.
  * Run alone: make test-fractional_derivative */
 #include <fvi/paper/integration_by_parts.h>
 #include "fractional_derivative_curves.h"

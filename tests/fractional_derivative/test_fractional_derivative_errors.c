@@ -1,4 +1,4 @@
-/* tests/fractional_derivative/test_fractional_derivative_errors.c -- H 1: what is refused.
+/* tests/fractional_derivative/test_fractional_derivative_errors.c -- H 1: inputs that are refused.
  * Run alone: make test-fractional_derivative_errors */
 #include "fractional_derivative_curves.h"
 

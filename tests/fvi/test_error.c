@@ -1,7 +1,7 @@
-/* tests/fvi/test_error.c -- How the library fails: by a code, and by nothing else.
+/* tests/fvi/test_error.c -- The library fails with a code, and does nothing else.
  * Run alone: make test-error
  *
- * All of it with GSL's default error handler on, which ends the process. */
+ * All tests run with GSL's default error handler on, which would end the process. */
 #include <fvi/fvi.h>
 #include <fvi/paper/experiments.h>
 #include <fvi/paper/fractional_derivative.h>

@@ -1,5 +1,6 @@
-/* tests/fvi/test_fvi.c -- H 9: Algorithm 3 against exact values, against itself
- * as printed, against what is known of it. Run alone: make test-fvi */
+/* tests/fvi/test_fvi.c -- H 9: Algorithm 3, compared with exact values, with the algorithm as the paper prints it,
+ * and with its known properties.
+ * Run alone: make test-fvi */
 #include "harness/fvi_runs.h"
 
 #include "fvi_ref.h"

@@ -1,4 +1,4 @@
-/* tests/fvi/test_fvi_callbacks.c -- A potential or a force that says no.
+/* tests/fvi/test_fvi_callbacks.c -- Potentials and forces whose callbacks return an error.
  * Run alone: make test-fvi_callbacks */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"

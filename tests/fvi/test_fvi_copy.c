@@ -1,4 +1,4 @@
-/* tests/fvi/test_fvi_copy.c -- Runs that are forked, and runs that begin anew.
+/* tests/fvi/test_fvi_copy.c -- Copies of runs, and runs that are reset.
  * Run alone: make test-fvi_copy */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"

@@ -1,5 +1,5 @@
-/* tests/fvi/test_trajectory.c -- Runs: rows as they come, rows in arrays, and what is
- * refused. Run alone: make test-trajectory */
+/* tests/fvi/test_trajectory.c -- Runs: rows one by one, rows in arrays, and runs that are refused.
+ * Run alone: make test-trajectory */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 #include <fvi/paper/algorithm_3.h>

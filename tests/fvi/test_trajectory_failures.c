@@ -1,5 +1,6 @@
-/* tests/fvi/test_trajectory_failures.c -- Steps that fail: what is no longer finite, and what cannot be
- * solved. Run alone: make test-trajectory_failures */
+/* tests/fvi/test_trajectory_failures.c -- Steps that fail: numbers that are no longer finite, and equations that
+ * cannot be solved.
+ * Run alone: make test-trajectory_failures */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 #include <fvi/paper/algorithm_3.h>

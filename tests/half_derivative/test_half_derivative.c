@@ -1,4 +1,4 @@
-/* tests/half_derivative/test_half_derivative.c -- H 7.
+/* tests/half_derivative/test_half_derivative.c -- H 7: half a derivative, twice.
  * Run alone: make test-half_derivative */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"

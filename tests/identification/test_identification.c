@@ -1,5 +1,4 @@
-/* tests/identification/test_identification.c -- H 24: are the parameters found, and
- * is what is said of their errors true?
+/* tests/identification/test_identification.c -- H 24: are the parameters found, and are the stated errors true?
  * Run alone: make test-identification */
 #include "identification_runs.h"
 #include "run/whole_run.h"

@@ -1,5 +1,5 @@
-/* tests/identification/test_identification_answers.c -- H 24: when is an estimate
- * not to be believed?
+/* tests/identification/test_identification_answers.c -- H 24: estimates that are not reliable are refused or
+ * flagged.
  * Run alone: make test-identification_answers */
 #include "identification_runs.h"
 #include "run/whole_run.h"

@@ -1,4 +1,4 @@
-/* tests/identification/test_identification_examine.c -- H 24: can an answer be believed?
+/* tests/identification/test_identification_examine.c -- H 24: is an answer reliable? The examination of a fit.
  * Run alone: make test-identification_examine */
 #include "identification_runs.h"
 #include "system/larger.h"

@@ -1,5 +1,4 @@
-/* tests/identification/test_identification_moduli.c -- H 24: an order from storage and
- * loss.
+/* tests/identification/test_identification_moduli.c -- H 24: an order from storage and loss moduli.
  * Run alone: make test-identification_moduli */
 #include "identification_runs.h"
 #include "system/larger.h"

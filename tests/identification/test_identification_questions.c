@@ -1,5 +1,5 @@
-/* tests/identification/test_identification_questions.c -- H 24: what cannot be asked,
- * and where the answer is looked for.
+/* tests/identification/test_identification_questions.c -- H 24: fits that are refused, and the region of the
+ * search.
  * Run alone: make test-identification_questions */
 #include "identification_runs.h"
 

@@ -1,4 +1,4 @@
-/* tests/identification/test_identification_records.c -- H 24: several columns of several masses,
+/* tests/identification/test_identification_records.c -- H 24: data with several columns of several masses, and
  * several records.
  * Run alone: make test-identification_records */
 #include "identification_runs.h"

@@ -1,5 +1,5 @@
-/* tests/identification/test_identification_stages.c -- H 24: slopes through stages.
- *                                        Run alone: make test-identification_stages */
+/* tests/identification/test_identification_stages.c -- H 24: the derivatives of runs with stages.
+ * Run alone: make test-identification_stages */
 #include "identification_runs.h"
 
 #include "estimation/identification_tangent.h"

@@ -1,5 +1,5 @@
-/* tests/identification/test_identification_tangent.c -- H 24: the derivatives that ride
- * along with a run.
+/* tests/identification/test_identification_tangent.c -- H 24: the derivatives that are computed together with a
+ * run.
  * Run alone: make test-identification_tangent */
 #include "identification_runs.h"
 #include "run/whole_run.h"

@@ -1,5 +1,4 @@
-/* tests/identification/test_identification_warnings.c -- H 24: what a fit that is not to
- * be believed says.
+/* tests/identification/test_identification_warnings.c -- H 24: the warnings of a fit that is not reliable.
  * Run alone: make test-identification_warnings */
 #include "identification_runs.h"
 

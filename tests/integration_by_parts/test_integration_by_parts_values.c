@@ -1,5 +1,5 @@
-/* tests/integration_by_parts/test_integration_by_parts_values.c -- H 5: the values of
- * both operators, and what they refuse.
+/* tests/integration_by_parts/test_integration_by_parts_values.c -- H 5: the values of both operators, and inputs
+ * that are refused.
  * Run alone: make test-integration_by_parts_values */
 #include "both.h"
 #include "integration_by_parts_ref.h"

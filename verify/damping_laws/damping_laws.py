@@ -133,8 +133,6 @@ def weights(law, delta, h):
 
 # (26.5): all coefficients of (1-z)^beta, 0 < beta <= 1, but the first are <= 0, and their sum is more than -1. By
 # induction the same holds for q / (1 + T q), so all products in the division have one sign.
-# sum to more than -1: so, by induction, are those of q / (1 + T q), and all products in the
-# division have one sign.
 for law in LAWS:
     for kind, rho, alpha, time, end in law:
         if kind == ZENER:

@@ -1,6 +1,6 @@
 """H 3. The restricted Hamilton's principle in continuous time.
 
-Proved here, d = 1 where nothing else is said (the proofs for all curves stand in
+Proved here, d = 1 unless stated otherwise (the proofs for all curves are in
 the chapter; these are instances, each with alpha symbolic):
   (3.6)  and (3.21), the first variation after integration by parts, for cubic curves
          and references with symbolic coefficients, U cubic, along three bumps;

@@ -7,7 +7,7 @@ Proved here, all parameters symbolic:
   (14.3)  polar form of 1 - z on the unit circle, 1/z - 2 + z there, P(-1);
           in R^d, v* P(z) v is the scalar symbol with v*Mv, v*Kv, v*rho v;
           alpha = 1, kappa = 1/2: the bound is rho < m for every step.
-  (14.11) Caputo's past: what drives the distance from the line, its zero -kappa / (1 - kappa),
+  (14.11) Caputo's past: the forcing of the distance from the line, its zero -kappa / (1 - kappa),
           and Q'(-1) on the edge.
   (14.7)  Euler's explicit step of x' = v, m v' = -c x - rho v: its matrix is 1 + h A, and
           (14.8), |1 + h s| < 1 for both roots s, is b < a and 2 a - b < 4,

@@ -296,8 +296,8 @@ def prove_all():
     #< forms
 
     #> restricted
-    # (22.21): -m DD x . DD_+ y - rho DD^a x . DD_+^a y - U(x) - U(y), all powers open:
-    # G lower triangular for DD^a, and what the variation makes of them is G G.
+    # (22.21): -m DD x . DD_+ y - rho DD^a x . DD_+^a y - U(x) - U(y), for any powers:
+    # any lower triangular G replaces DD^a, and the restricted variation contains G G.
     m, rho = symbols("m rho")
     U = Function("U")
     for s in (2, 3):
@@ -309,7 +309,7 @@ def prove_all():
         action = -(m * ((DD * X).T * BB * adjoint(DD) * Y)[0] + rho * ((G * X).T * BB * adjoint(G) * Y)[0]
                    + sum(BB[i, i] * (U(X[i]) + U(Y[i])) for i in range(n)))
         wanted = m * DD * DD * X + rho * G * G * X
-        for i in range(n):      # delta x = delta y; what is left of y is the mirrored equation
+        for i in range(n):      # delta x = delta y; the terms with y are the mirrored equation, so set y = 0
             varied = (diff(action, X[i]) + diff(action, Y[i])).subs({e: 0 for e in Y})
             prove("(22.21)", expand((varied + BB[i, i] * (wanted[i] + diff(U(X[i]), X[i]))).doit()
                                     + BB[i, i] * diff(U(Y[i]), Y[i]).subs(Y[i], 0)))
@@ -329,8 +329,8 @@ def prove_all():
         half = power(s, mpf(1) / 2, 60)
         claim("(22.9) projectors", mpmath.mnorm(whole) < 1e-50)
         claim("(22.9) (1/2) + (1/2) = 1", mpmath.mnorm(half * half - inverse) < 1e-45)
-        # (22.16): the integral of P_{s-1} is 0 at the nodes; A P_{s-1} begins with 1/(s-1) and ends
-        # with 0, A A P_{s-1} has nothing above 1/(2 (s-1)^2); what the quadrature makes of P_{2s-2}
+        # (22.16): the integral of P_{s-1} is 0 at the nodes; A P_{s-1} begins with 1/(s-1) and ends with 0;
+        # no entry of A A P_{s-1} exceeds 1/(2 (s-1)^2); and the value that the quadrature gives to P_{2s-2}
         integral = lambda u: mpmath.legendre(s, 2 * u - 1) - mpmath.legendre(s - 2, 2 * u - 1)
         ladder = mpf(26) / 100
         *once, slip, twice, alias, fallen = last_coefficient(s, mpf(0), 60)
