@@ -3,9 +3,9 @@
  *     m x'' + grad U(x) + rho C(D) x = F(t)
  *
  * A springpot, rho D^{2 alpha} x, has the symbol s^{2 alpha}. Polymers, rubber and dampers are described by sums of
- * such powers, by fractions of powers, or by an integral over a range of orders. Every law here is causal and linear,
- * and all but a SYMBOL of the caller's are passive: they take energy and give none. In the equation rho is the damping
- * of a coordinate (system.h), and C is the sum of the terms. The weights of a law are the coefficients of the power
+ * such powers, by fractions of powers, or by an integral over a range of orders. Every law here is causal and linear.
+ * All kinds except SYMBOL are also passive: they take energy and give none. In the equation rho is the damping of a
+ * coordinate (system.h), and C is the sum of the terms. The weights of a law are the coefficients of the power
  * series of C(delta(z)/h) (convolution_quadrature.h). They take the place of the weights of the order 2 alpha
  * (coefficients.h).
  *
@@ -50,7 +50,7 @@ typedef enum {
     FVI_KERNEL_HAVRILIAK
 } fvi_kernel_kind;
 
-/* fvi_kernel_term -- one term of a law. Numbers that do not stand in the symbol of its kind are not read.
+/* fvi_kernel_term -- one term of a law. A number that the symbol of its kind does not contain is not read.
  *
  *   rho         finite, >= 0
  *   alpha       0 <= alpha <= 1, and 2 alpha <= 1 for a HAVRILIAK
@@ -90,8 +90,8 @@ extern const char *const fvi_element_words[];
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if law is NULL, if the terms of a law that has some are NULL, or if the function of a
  * SYMBOL is NULL; FVI_EINVAL for no terms, an unknown kind, and a SYMBOL that is not alone; FVI_EDOM for a number out
- * of range, and for a function of a SYMBOL that is seen not to be as fvi_kernel_function demands. Cost O(count), and
- * for a SYMBOL 3000 values of its function. */
+ * of range, and for a SYMBOL in which the check finds a fault (fvi_kernel_function). Cost O(count), and for a SYMBOL
+ * 3000 values of its function. */
 int fvi_kernel_check(const fvi_kernel *law);
 
 /* fvi_kernel_function -- a law by a function of the caller's.

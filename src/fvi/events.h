@@ -40,7 +40,7 @@
  * A **contact** is an impact after which the run goes on. Where the body comes to rest, z = 0 becomes a constraint of
  * the system's mechanism (dampers.h). The body may slide along the surface, and the surface pushes with the multiplier
  * of the constraint as its force. The body lifts off when this force would have to pull, because another force pulls
- * the body away or because the surface moves away. For example, a body with m = g = 1 on z = x, under the force
+ * the body away, or because the surface moves away. For example, a body with m = g = 1 on z = x, under the force
  * 2 sin t, lifts off at sin t = 1/2. Memories stay as they are. An impulse that pushes the body into the surface is
  * taken by the surface. An impulse that pulls the body off opens the contact, also if it comes from another wall. A
  * system without dampers and constraints takes contacts if it has a mechanism that is all zeros. */
@@ -72,9 +72,9 @@ typedef enum {
  *   action       what happens
  *   restitution  e of an impact or a contact, 0 <= e <= 1
  *   rest         for an impact or a contact: a body that would rise no higher than this after the impact is at rest. It
- *                is a length of x, finite, >= 0; 0 means the tolerance of a step, or in fvi_solve its tolerance
+ *                has the unit of x, finite, >= 0; 0 means the tolerance of a step, or in fvi_solve its tolerance
  *   hessian      for a contact: adds factor times the d * d second derivatives of z by x to H, row by row. NULL for a
- *                surface that is flat, or so little bent that Newton's method converges without
+ *                surface that is flat, or so little bent that Newton's method converges without it
  *
  * The method learns from the first time with z != 0 on which side of 0 the motion is. So a run that begins with z = 0
  * has no event there.
@@ -89,9 +89,10 @@ typedef enum {
  *
  * The method evaluates z at six or eight times in each step, and where |z| is least between them. So it sees a z that
  * passes 0 and turns back, if |z| has only one minimum between two of these times. run.longest makes the steps shorter.
- * A z that goes no farther beyond 0 than the error of the motion may be missed. Cost, seen with one oscillator: with an
- * event a run takes 2 to 4 times as long, and each event as long as 10 steps more. At most a tenth of this is the
- * search for a z that turns back. */
+ * A z that goes no farther beyond 0 than the error of the motion may be missed.
+ *
+ * Cost, seen with one oscillator: a run that watches for an event takes 2 to 4 times as long, and each event that
+ * happens costs as much as 10 steps. At most a tenth of this is the search for a z that turns back. */
 struct fvi_event {
     int (*value)(double t, size_t d, const double *x, const double *p,
                  void *params, double *z);
@@ -148,8 +149,8 @@ int fvi_stepper_is_over(const fvi_stepper *s);
  *   i      the place of the event in run.events
  *   t      s->t, or a time within the last step
  *   force  output, f >= 0: the surface pushes a body on the side z > 0 with f dz/dx, and a body on the other side with
- *          -f dz/dx. So f is minus the multiplier of the constraint z = 0 on the first side, and plus on the other. 0
- *          while the contact is open. For example, f = 1 for a body with the weight 1 that lies on z = x
+ *          -f dz/dx. So on the side z > 0 the multiplier of the constraint z = 0 is -f, and on the other side f. While
+ *          the contact is open, f = 0. For example, f = 1 for a body with the weight 1 that lies on z = x
  *
  *     double force;
  *     status = fvi_stepper_contact_force(s, 0, s->t, &force);
