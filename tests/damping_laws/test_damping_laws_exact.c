@@ -1,5 +1,5 @@
-/* tests/damping_laws/test_damping_laws_exact.c -- H 26: the exact solution of the linear
- * problem, for laws. Run alone: make test-damping_laws_exact */
+/* tests/damping_laws/test_damping_laws_exact.c -- H 26: the exact solution of the linear problem with a law.
+ * Run alone: make test-damping_laws_exact */
 #include <fvi/fvi.h>
 #include "damping_laws_ref.h"
 #include "reference/exact_inverse.h"

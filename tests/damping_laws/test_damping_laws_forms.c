@@ -1,5 +1,6 @@
-/* tests/damping_laws/test_damping_laws_forms.c -- H 26: laws on stages, form M and its
- * load, and the derivatives of both forms. Run alone: make test-damping_laws_forms */
+/* tests/damping_laws/test_damping_laws_forms.c -- H 26: laws on stages: form M and its load, and the derivatives of
+ * both forms.
+ * Run alone: make test-damping_laws_forms */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 #include "harness/ulp.h"

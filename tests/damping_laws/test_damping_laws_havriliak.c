@@ -1,5 +1,6 @@
-/* tests/damping_laws/test_damping_laws_havriliak.c -- H 26: the law of Havriliak and Negami, and what is derived from the
- * symbol of a kind. Run alone: make test-damping_laws_havriliak */
+/* tests/damping_laws/test_damping_laws_havriliak.c -- H 26: the law of Havriliak and Negami, and the numbers that
+ * the library derives from the symbol of a kind.
+ * Run alone: make test-damping_laws_havriliak */
 #include <fvi/fvi.h>
 #include <fvi/formulas.h>
 #include <fvi/rheology.h>

@@ -1,4 +1,4 @@
-/* tests/damping_laws/test_damping_laws_stable.c -- H 26: laws and fvi-stable.
+/* tests/damping_laws/test_damping_laws_stable.c -- H 26: fvi-stable with laws.
  * Run alone: make test-damping_laws_stable */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"

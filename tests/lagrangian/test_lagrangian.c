@@ -1,4 +1,5 @@
-/* tests/lagrangian/test_lagrangian.c -- Rows of an independent program, and what a run tells.
+/* tests/lagrangian/test_lagrangian.c -- H 29: runs of mechanisms, compared with rows of an independent program, and
+ * the reports of a run.
  * Run alone: make test-lagrangian */
 #include "problems.h"
 #include "prototype_values.h"

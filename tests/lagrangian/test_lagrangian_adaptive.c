@@ -1,4 +1,4 @@
-/* tests/lagrangian/test_lagrangian_adaptive.c -- Form D on a mesh, whose steps are chosen.
+/* tests/lagrangian/test_lagrangian_adaptive.c -- H 29: form D with steps that the method chooses.
  * Run alone: make test-lagrangian_adaptive */
 #include "adaptive_runs.h"
 

@@ -1,4 +1,5 @@
-/* tests/lagrangian/test_lagrangian_adaptive_state.c -- Form D on a mesh: copies, archives, impulses and sums.
+/* tests/lagrangian/test_lagrangian_adaptive_state.c -- H 29: form D with steps that the method chooses: copies,
+ * archives, impulses and sums.
  * Run alone: make test-lagrangian_adaptive_state */
 #include "adaptive_runs.h"
 

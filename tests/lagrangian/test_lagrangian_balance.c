@@ -1,4 +1,4 @@
-/* tests/lagrangian/test_lagrangian_balance.c -- Momenta that stay, work that is not negative.
+/* tests/lagrangian/test_lagrangian_balance.c -- H 29: momenta that are conserved, and work that is not negative.
  * Run alone: make test-lagrangian_balance */
 #include "problems.h"
 #include "system/seeded.h"

@@ -1,4 +1,5 @@
-/* tests/lagrangian/test_lagrangian_contacts_hits.c -- A body that rests on a surface is hit by an impulse, a kick or another wall.
+/* tests/lagrangian/test_lagrangian_contacts_hits.c -- H 29: an impulse, a kick or another wall hits a body that
+ * rests on a surface.
  * Run alone: make test-lagrangian_contacts_hits */
 #include "watched.h"
 

@@ -1,5 +1,5 @@
-/* tests/lagrangian/test_lagrangian_differences.c -- A body on a strut, by an action and by differences
- * of the same order: what the action keeps.                       [chapters/further/29-lagrangian.md]
+/* tests/lagrangian/test_lagrangian_differences.c -- H 29: a body on a strut, by an action and by differences of the
+ * same order: the quantities that the action conserves. [chapters/further/29-lagrangian.md]
  * Run alone: make test-lagrangian_differences */
 #define STAGE "course/body_13.c"
 #include "course/stage.h"

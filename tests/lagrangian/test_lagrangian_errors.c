@@ -1,4 +1,4 @@
-/* tests/lagrangian/test_lagrangian_errors.c -- What is refused, and which past a damper has.
+/* tests/lagrangian/test_lagrangian_errors.c -- H 29: mechanisms that are refused, and the past of each damper.
  * Run alone: make test-lagrangian_errors */
 #include "problems.h"
 #include "run/whole_run.h"

@@ -1,4 +1,4 @@
-/* tests/lagrangian/test_lagrangian_massless.c -- A coordinate without inertia that jumps.
+/* tests/lagrangian/test_lagrangian_massless.c -- H 29: a coordinate without inertia that jumps.
  * Run alone: make test-lagrangian_massless */
 #include "problems.h"
 #include "watched.h"

@@ -1,4 +1,4 @@
-/* tests/lagrangian/test_lagrangian_orders.c -- Orders against motions known to 12 digits.
+/* tests/lagrangian/test_lagrangian_orders.c -- H 29: orders, from motions that are known to 12 digits.
  * Run alone: make test-lagrangian_orders */
 #include "problems.h"
 

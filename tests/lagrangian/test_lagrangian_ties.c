@@ -1,4 +1,4 @@
-/* tests/lagrangian/test_lagrangian_ties.c -- Impacts, marks and kicks of a body that constraints tie.
+/* tests/lagrangian/test_lagrangian_ties.c -- H 29: impacts, marks and kicks of a body with constraints.
  * Run alone: make test-lagrangian_ties */
 #include "problems.h"
 #include "watched.h"

@@ -1,4 +1,5 @@
-/* tests/legendre/test_legendre.c -- H 8.   Run alone: make test-legendre */
+/* tests/legendre/test_legendre.c -- H 8: the momenta.
+ * Run alone: make test-legendre */
 #include <fvi/error.h>
 #include <fvi/paper/half_derivative.h>
 #include <fvi/paper/integration_by_parts.h>

@@ -1,5 +1,5 @@
-/* tests/legendre/test_legendre_order.c -- H 8: starts and momenta, and what they do to
- * the order. Run alone: make test-legendre_order */
+/* tests/legendre/test_legendre_order.c -- H 8: starts and momenta, and their influence on the order.
+ * Run alone: make test-legendre_order */
 #include <fvi/error.h>
 #include <fvi/paper/half_derivative.h>
 #include <fvi/paper/legendre.h>

@@ -1,5 +1,5 @@
-/* tests/lobatto/test_lobatto_coordinates.c -- H 17: several coordinates, by what must be
- * equal to what. Run alone: make test-lobatto_coordinates */
+/* tests/lobatto/test_lobatto_coordinates.c -- H 17: runs of several coordinates that must agree.
+ * Run alone: make test-lobatto_coordinates */
 #include "lobatto_pairs.h"
 #include "run/whole_run.h"
 

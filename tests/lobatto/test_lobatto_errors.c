@@ -1,5 +1,5 @@
-/* tests/lobatto/test_lobatto_errors.c -- H 17: corrected momenta, what is not taken
- * and what is refused. Run alone: make test-lobatto_errors */
+/* tests/lobatto/test_lobatto_errors.c -- H 17: corrected momenta, and runs that are refused.
+ * Run alone: make test-lobatto_errors */
 #include "lobatto_runs.h"
 #include "run/whole_run.h"
 #include "stages/lobatto_history.h"

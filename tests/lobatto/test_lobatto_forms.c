@@ -1,5 +1,5 @@
-/* tests/lobatto/test_lobatto_forms.c -- H 17: form M and form D beside each other:
- * orders. Run alone: make test-lobatto_forms */
+/* tests/lobatto/test_lobatto_forms.c -- H 17: the orders of form M and form D.
+ * Run alone: make test-lobatto_forms */
 #include <fvi/exact_solution.h>
 #include "run/whole_run.h"
 #include "driven_duffing.h"

@@ -1,5 +1,5 @@
-/* tests/lobatto/test_lobatto_load.c -- H 17: the load, against what is known of the
- * symbol without a run. Run alone: make test-lobatto_load */
+/* tests/lobatto/test_lobatto_load.c -- H 17: the load, compared with properties of the symbol that need no run.
+ * Run alone: make test-lobatto_load */
 #include <fvi/lobatto.h>
 
 #include "lobatto_load.h"

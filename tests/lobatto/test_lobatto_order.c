@@ -1,4 +1,4 @@
-/* tests/lobatto/test_lobatto_order.c -- H 17: the orders, measured.
+/* tests/lobatto/test_lobatto_order.c -- H 17: the measured orders.
  * Run alone: make test-lobatto_order */
 #include <fvi/exact_solution.h>
 #include "run/whole_run.h"

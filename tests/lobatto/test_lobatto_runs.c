@@ -1,5 +1,5 @@
-/* tests/lobatto/test_lobatto_runs.c -- H 17: the integrators in one dimension, by
- * what must be equal to what. Run alone: make test-lobatto_runs */
+/* tests/lobatto/test_lobatto_runs.c -- H 17: runs in one dimension that must agree.
+ * Run alone: make test-lobatto_runs */
 #include "harness/energy.h"
 
 #include "lobatto_pairs.h"

@@ -1,4 +1,4 @@
-/* tests/lobatto/test_lobatto_stability.c -- H 17: how long a step may be, by runs.
+/* tests/lobatto/test_lobatto_stability.c -- H 17: the largest stable step, by runs.
  * Run alone: make test-lobatto_stability */
 #include "lobatto_load.h"
 #include "run/whole_run.h"

@@ -1,4 +1,5 @@
-/* tests/memory/test_memory.c -- H 12.       Run alone: make test-memory */
+/* tests/memory/test_memory.c -- H 12: the memories.
+ * Run alone: make test-memory */
 #include <fvi/coefficients.h>
 #include <fvi/error.h>
 #include <fvi/memory.h>

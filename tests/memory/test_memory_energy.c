@@ -1,4 +1,4 @@
-/* tests/memory/test_memory_energy.c -- H 12: what the memory does to the energy.
+/* tests/memory/test_memory_energy.c -- H 12: the influence of the memory on the energy.
  * Run alone: make test-memory_energy */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"

@@ -1,5 +1,5 @@
-/* tests/memory/test_memory_runs.c -- H 12: whole runs, and what they take.
- *                                      Run alone: make test-memory_runs */
+/* tests/memory/test_memory_runs.c -- H 12: whole runs, and their time and memory.
+ * Run alone: make test-memory_runs */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 #include "harness/ulp.h"

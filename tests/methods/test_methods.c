@@ -1,4 +1,4 @@
-/* tests/methods/test_methods.c -- What the methods say of themselves is so.
+/* tests/methods/test_methods.c -- The methods have the properties that they state.
  * Run alone: make test-methods */
 #include "methods_runs.h"
 #include "run/whole_run.h"

@@ -1,4 +1,5 @@
-/* tests/observer/test_observer_jumps.c -- First rows behind a jump of the past, a kick, and of a point without mass.
+/* tests/observer/test_observer_jumps.c -- First rows after a jump of the past, after a kick, and of a point without
+ * mass.
  * Run alone: make test-observer_jumps */
 #include "oscillator.h"
 

@@ -1,4 +1,5 @@
-/* tests/observer/test_observer_start.c -- What dampers tell in the first rows of a body that starts with a velocity.
+/* tests/observer/test_observer_start.c -- The reports of dampers in the first rows of a body that starts with a
+ * velocity.
  * Run alone: make test-observer_start */
 #include "harness/ulp.h"
 

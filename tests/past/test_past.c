@@ -1,4 +1,4 @@
-/* tests/past/test_past.c -- H 19: impulses, pasts that coincide, energy.
+/* tests/past/test_past.c -- H 19: impulses of the past, pasts that coincide, energy.
  * Run alone: make test-past */
 #include "past_runs.h"
 #include "run/whole_run.h"

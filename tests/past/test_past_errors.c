@@ -1,4 +1,4 @@
-/* tests/past/test_past_errors.c -- H 19: refusals, coordinates, defaults.
+/* tests/past/test_past_errors.c -- H 19: runs that are refused, several coordinates, defaults.
  * Run alone: make test-past_errors */
 #include <fvi/discrete_mechanics.h>
 #include "run/whole_run.h"

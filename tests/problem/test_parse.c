@@ -1,5 +1,5 @@
-/* tests/problem/test_parse.c -- What the library understands of typed problems, and what it says of
- * what it does not. Run alone: make test-parse */
+/* tests/problem/test_parse.c -- Typed problems that the library understands, and its messages for the others.
+ * Run alone: make test-parse */
 #include "harness/ulp.h"
 
 #include <fvi/fvi.h>

@@ -1,4 +1,4 @@
-/* tests/program/test_fvi_adaptive.c -- Program: steps of the method's own, `run --error`.
+/* tests/program/test_fvi_adaptive.c -- The program build/fvi: `run --error`, with steps that the method chooses.
  * Run alone: make test-fvi_adaptive */
 #define _GNU_SOURCE
 #include "program.h"

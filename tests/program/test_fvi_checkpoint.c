@@ -1,4 +1,4 @@
-/* tests/program/test_fvi_checkpoint.c -- The program build/fvi: stopped, and gone on with.
+/* tests/program/test_fvi_checkpoint.c -- The program build/fvi: a run that is stopped and continued.
  * Run alone: make test-fvi_checkpoint */
 #define _GNU_SOURCE
 #include "program.h"

@@ -1,4 +1,4 @@
-/* tests/program/test_fvi_cli.c -- The program build/fvi: what comes out.
+/* tests/program/test_fvi_cli.c -- The program build/fvi: the output of its commands.
  * Run alone: make test-fvi_cli */
 #define _GNU_SOURCE
 #include <fvi/fvi.h>

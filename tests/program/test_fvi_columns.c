@@ -1,4 +1,4 @@
-/* tests/program/test_fvi_columns.c -- Columns as expressions, and what is refused as a column or a reduction.
+/* tests/program/test_fvi_columns.c -- Columns as expressions, and columns and reductions that are refused.
  * Run alone: make test-fvi_columns */
 #define _GNU_SOURCE
 #include "two_storeys.h"

@@ -1,5 +1,4 @@
-/* tests/program/test_fvi_errors.c -- The program build/fvi: what it refuses, and what it
- * does when a run fails.
+/* tests/program/test_fvi_errors.c -- The program build/fvi: command lines that it refuses, and runs that fail.
  * Run alone: make test-fvi_errors */
 #define _GNU_SOURCE
 #include "program.h"

@@ -1,4 +1,4 @@
-/* tests/program/test_fvi_files.c -- The program build/fvi: where it writes.
+/* tests/program/test_fvi_files.c -- The program build/fvi: the files that it writes.
  * Run alone: make test-fvi_files */
 #define _GNU_SOURCE
 #include "program.h"

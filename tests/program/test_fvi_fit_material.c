@@ -1,4 +1,4 @@
-/* tests/program/test_fvi_fit_material.c -- The command `fvi fit --moduli` and its like.
+/* tests/program/test_fvi_fit_material.c -- The command `fvi fit --moduli`, and fits of creep and relaxation.
  * Run alone: make test-fvi_fit_material */
 #define _GNU_SOURCE
 #include "fit_rows.h"

@@ -1,5 +1,5 @@
-/* tests/program/test_fvi_fit_mechanism.c -- The command `fvi fit` with a ground, Lagrangians, constraints, forces of velocity
- * and coordinates that are imposed.
+/* tests/program/test_fvi_fit_mechanism.c -- The command `fvi fit` with a moving ground, Lagrangians, constraints,
+ * forces of velocity and imposed coordinates.
  * Run alone: make test-fvi_fit_mechanism */
 #define _GNU_SOURCE
 #include "fit_rows.h"

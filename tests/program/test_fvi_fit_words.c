@@ -1,5 +1,5 @@
-/* tests/program/test_fvi_fit_words.c -- The command `fvi fit`: wrong words, wrong tables, and fits
- * that come to no end.
+/* tests/program/test_fvi_fit_words.c -- The command `fvi fit`: wrong words, wrong tables, and fits that do not
+ * converge.
  * Run alone: make test-fvi_fit_words */
 #define _GNU_SOURCE
 #include "fit_tables.h"

@@ -1,5 +1,6 @@
-/* tests/program/test_fvi_folder.c -- The program build/fvi: what stands in the folder of a
- * system, and how the system begins.   Run alone: make test-fvi_folder */
+/* tests/program/test_fvi_folder.c -- The program build/fvi: the files in the folder of a system, and the start of
+ * the system.
+ * Run alone: make test-fvi_folder */
 #define _GNU_SOURCE
 #include "program.h"
 #include "folder.h"

@@ -1,4 +1,4 @@
-/* tests/program/test_fvi_grid.c -- The program build/fvi: where the rows are, and the steps between them.
+/* tests/program/test_fvi_grid.c -- The program build/fvi: the times of the rows, and the steps between them.
  * Run alone: make test-fvi_grid */
 #define _GNU_SOURCE
 #include "program.h"

@@ -1,4 +1,4 @@
-/* tests/program/test_fvi_ground.c -- A ground that moves, and forces from files of any shape.
+/* tests/program/test_fvi_ground.c -- A moving ground, and forces from files of any shape.
  * Run alone: make test-fvi_ground */
 #define _GNU_SOURCE
 #include "program.h"

@@ -1,4 +1,4 @@
-/* tests/program/test_fvi_help.c -- The program build/fvi: what it says of itself.
+/* tests/program/test_fvi_help.c -- The program build/fvi: its help.
  * Run alone: make test-fvi_help */
 #define _GNU_SOURCE
 #include <fvi/formulas.h>

@@ -1,4 +1,5 @@
-/* tests/program/test_fvi_mechanism_errors.c -- The program build/fvi: what is wrong with Lagrangians, dampers, constraints.
+/* tests/program/test_fvi_mechanism_errors.c -- The program build/fvi: the messages for wrong Lagrangians, dampers
+ * and constraints.
  * Run alone: make test-fvi_mechanism_errors */
 #define _GNU_SOURCE
 #include "program.h"

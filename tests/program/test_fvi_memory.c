@@ -1,10 +1,11 @@
-/* tests/program/test_fvi_memory.c -- Of all allocations of a command one fails: the first, the
- * second, and so on. The command says that there is no memory, and leaves no half of
- * anything; or it does without.                         Run alone: make test-fvi_memory
+/* tests/program/test_fvi_memory.c -- One allocation of a command fails: the first, the second, and so on.
+ * Run alone: make test-fvi_memory
  *
- * With ALL in the environment no number is left out (make stress). The library that counts
- * is harness/failing_malloc.c; where a sanitizer brings its own allocator it cannot, and
- * nothing is tested. */
+ * The command must say that there is no memory and leave no incomplete file, or it must succeed without this
+ * allocation.
+ *
+ * With ALL in the environment every allocation is tried (make stress). harness/failing_malloc.c is the library that
+ * counts the allocations. It does not work under a sanitizer that has its own allocator; then nothing is tested. */
 #define _GNU_SOURCE
 #include "folder.h"
 

@@ -1,5 +1,5 @@
-/* tests/program/test_fvi_own_codes.c -- The program build/fvi: what a potential of the user's
- * own returned is said, in each command that asks it, and in the words that it has for it.
+/* tests/program/test_fvi_own_codes.c -- The program build/fvi: each command that calls a potential of the user
+ * reports its error code, in the command's own words.
  * Run alone: make test-fvi_own_codes */
 #define _GNU_SOURCE
 #include "program.h"

@@ -1,5 +1,5 @@
-/* tests/program/test_fvi_past.c -- The program build/fvi: what the body did before t = 0, and
- * that what is run is what is asked for.
+/* tests/program/test_fvi_past.c -- The program build/fvi: the past of the body before t = 0, and that the run is
+ * the one that was asked for.
  * Run alone: make test-fvi_past */
 #define _GNU_SOURCE
 #include "program.h"

@@ -1,4 +1,4 @@
-/* tests/program/test_fvi_problem.c -- The program build/fvi: one's own problem.
+/* tests/program/test_fvi_problem.c -- The program build/fvi: a problem of the user.
  * Run alone: make test-fvi_problem */
 #define _GNU_SOURCE
 #include <fvi/fvi.h>

@@ -1,5 +1,5 @@
-/* tests/program/test_fvi_problem_errors.c -- The program build/fvi: what is wrong with one's
- * own problem.   Run alone: make test-fvi_problem_errors */
+/* tests/program/test_fvi_problem_errors.c -- The program build/fvi: the messages for wrong problems of the user.
+ * Run alone: make test-fvi_problem_errors */
 #define _GNU_SOURCE
 #include "program.h"
 

@@ -1,4 +1,4 @@
-/* tests/program/test_fvi_reductions.c -- What becomes of an expression over a run: its maximum, mean, peak and so on.
+/* tests/program/test_fvi_reductions.c -- Reductions of an expression over a run: its maximum, mean, peak and so on.
  * Run alone: make test-fvi_reductions */
 #define _GNU_SOURCE
 #include "two_storeys.h"

@@ -1,5 +1,6 @@
-/* tests/program/test_fvi_six.c -- Six mechanisms of the manual: the program's digits are the library's, and those of
- * another program.                                     Run alone: make test-fvi_six */
+/* tests/program/test_fvi_six.c -- Six mechanisms of the manual: the program prints the digits of the library and of
+ * an independent program.
+ * Run alone: make test-fvi_six */
 #define _GNU_SOURCE
 #include <fvi/fvi.h>
 #include "program.h"

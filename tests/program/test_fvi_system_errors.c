@@ -1,5 +1,5 @@
-/* tests/program/test_fvi_system_errors.c -- The program build/fvi: folders that are no
- * system, and what a system does not go with.
+/* tests/program/test_fvi_system_errors.c -- The program build/fvi: folders that are no system, and options that a
+ * system refuses.
  * Run alone: make test-fvi_system_errors */
 #define _GNU_SOURCE
 #include "program.h"

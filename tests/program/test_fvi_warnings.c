@@ -1,5 +1,4 @@
-/* tests/program/test_fvi_warnings.c -- The program build/fvi: what it says where an error
- * or a step is not what was hoped for.
+/* tests/program/test_fvi_warnings.c -- The program build/fvi: its warnings if an error or a step is too large.
  * Run alone: make test-fvi_warnings */
 #define _GNU_SOURCE
 #include "program.h"

@@ -1,4 +1,4 @@
-/* tests/response/test_response_pole_count.c -- How many poles there are.  [H 30]
+/* tests/response/test_response_pole_count.c -- The number of poles. [H 30]
  * Run alone: make test-response_pole_count */
 #include "response_systems.h"
 

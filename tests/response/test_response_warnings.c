@@ -1,4 +1,4 @@
-/* tests/response/test_response_warnings.c -- Places and poles that are warned of.     [H 30]
+/* tests/response/test_response_warnings.c -- The warnings of places and poles. [H 30]
  * Run alone: make test-response_warnings */
 #include "harness/ulp.h"
 

@@ -1,4 +1,4 @@
-/* tests/restricted_principle/test_restricted_principle.c -- H 3.
+/* tests/restricted_principle/test_restricted_principle.c -- H 3: the action, its variations, and the two-form.
  * Run alone: make test-restricted_principle */
 #include <fvi/error.h>
 #include <fvi/paper/restricted_principle.h>

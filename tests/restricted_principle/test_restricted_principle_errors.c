@@ -1,4 +1,4 @@
-/* tests/restricted_principle/test_restricted_principle_errors.c -- H 3: what is refused.
+/* tests/restricted_principle/test_restricted_principle_errors.c -- H 3: inputs that are refused.
  * Run alone: make test-restricted_principle_errors */
 #include <fvi/error.h>
 #include <fvi/paper/restricted_principle.h>

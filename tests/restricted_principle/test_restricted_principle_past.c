@@ -1,5 +1,5 @@
-/* tests/restricted_principle/test_restricted_principle_past.c -- H 3: an action that knows the
- * past. Run alone: make test-restricted_principle_past */
+/* tests/restricted_principle/test_restricted_principle_past.c -- H 3: an action with a given past.
+ * Run alone: make test-restricted_principle_past */
 #include <fvi/error.h>
 #include <fvi/paper/restricted_principle.h>
 #include "harness/ulp.h"

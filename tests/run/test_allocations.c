@@ -1,4 +1,4 @@
-/* tests/run/test_allocations.c -- Runs, batches and gradients of which one allocation fails.
+/* tests/run/test_allocations.c -- Runs, batches and gradients in which one allocation fails.
  * Run alone: make test-allocations */
 #include <fvi/adjoint.h>
 #include <fvi/dampers.h>

@@ -1,5 +1,6 @@
-/* tests/run/test_allocations_answers.c -- Loads, warnings, controls, moduli, responses and poles of which one allocation
- * fails.   Run alone: make test-allocations_answers */
+/* tests/run/test_allocations_answers.c -- Loads, warnings, controls, moduli, responses and poles in which one
+ * allocation fails.
+ * Run alone: make test-allocations_answers */
 #include <fvi/stability.h>
 #include "each_allocation_fails.h"
 

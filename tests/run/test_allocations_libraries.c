@@ -1,8 +1,10 @@
-/* tests/run/test_allocations_libraries.c -- GSL does not give back what it has if it cannot get more, and CHOLMOD
- * looks at what it did not get. The library calls both so that neither happens.
+/* tests/run/test_allocations_libraries.c -- Failed allocations in GSL and CHOLMOD.
  * Run alone: make test-allocations_libraries
  *
- * Where a sanitizer brings its own allocator nothing is tested. */
+ * If GSL cannot get more memory, it does not free the memory that it has; and CHOLMOD reads memory that it did not
+ * get. The library calls both in ways in which neither happens.
+ *
+ * Under a sanitizer that has its own allocator nothing is tested. */
 #include <fvi/fvi.h>
 #include "failing_allocator.h"
 #include "harness/ulp.h"

@@ -1,4 +1,5 @@
-/* tests/run/test_archive.c -- A run that is saved, and gone on with.   Run alone: make test-archive */
+/* tests/run/test_archive.c -- A run that is saved and continued.
+ * Run alone: make test-archive */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"
 

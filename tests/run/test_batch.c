@@ -1,4 +1,4 @@
-/* tests/run/test_batch.c -- H 28: each step of a batch is that of its runs, to the bit.
+/* tests/run/test_batch.c -- H 28: each step of a batch agrees with the steps of its runs, to the bit.
  * Run alone: make test-batch */
 #include "batch_runs.h"
 

@@ -1,4 +1,5 @@
-/* tests/run/test_batch_uses.c -- H 28: copies, adjoints and rows of runs together, and which runs go together.
+/* tests/run/test_batch_uses.c -- H 28: copies, adjoints and rows of runs in a batch, and the conditions for a
+ * batch.
  * Run alone: make test-batch_uses */
 #include "batch_runs.h"
 #include "harness/saved.h"

@@ -1,5 +1,5 @@
-/* tests/run/test_callbacks.c -- What a callback may not do with the stepper that called it.
- *                                                     Run alone: make test-callbacks */
+/* tests/run/test_callbacks.c -- Calls that a callback must not make for the stepper that called it.
+ * Run alone: make test-callbacks */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"
 

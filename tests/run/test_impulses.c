@@ -1,4 +1,5 @@
-/* tests/run/test_impulses.c -- Impulses.                     Run alone: make test-impulses */
+/* tests/run/test_impulses.c -- Impulses of a force.
+ * Run alone: make test-impulses */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 #include <fvi/methods.h>

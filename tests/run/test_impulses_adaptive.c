@@ -1,5 +1,5 @@
-/* tests/run/test_impulses_adaptive.c -- Impulses that steps end at.
- *                                                Run alone: make test-impulses_adaptive */
+/* tests/run/test_impulses_adaptive.c -- Impulses with steps that the method chooses: steps end at the impulses.
+ * Run alone: make test-impulses_adaptive */
 #include "impulse_runs.h"
 #include "run/whole_run.h"
 #include "error_control/variable_step_search.h"

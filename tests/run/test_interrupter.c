@@ -1,4 +1,4 @@
-/* tests/run/test_interrupter.c -- A call that lasts is ended from without.
+/* tests/run/test_interrupter.c -- A long call is ended from outside.
  * Run alone: make test-interrupter */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"

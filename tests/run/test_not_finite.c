@@ -1,5 +1,5 @@
-/* tests/run/test_not_finite.c -- A number that is not finite is an error, wherever it would
- * leave the library.                              Run alone: make test-not_finite */
+/* tests/run/test_not_finite.c -- A result that is not finite is an error.
+ * Run alone: make test-not_finite */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 #include <fvi/methods.h>

@@ -1,5 +1,6 @@
-/* tests/run/test_threads.c -- Runs that share no stepper go on in several threads.
- * `make portability` runs this under ThreadSanitizer too. Run alone: make test-threads */
+/* tests/run/test_threads.c -- Runs that share no stepper can run in several threads. `make portability` runs this
+ * under ThreadSanitizer too.
+ * Run alone: make test-threads */
 #define _POSIX_C_SOURCE 200809L /* pthread_barrier_t */
 #include "harness/ulp.h"
 #include "many_runs.h"

@@ -1,4 +1,4 @@
-/* tests/springpot/test_springpot.c -- H 0: ladders are springpots, and remember.
+/* tests/springpot/test_springpot.c -- H 0: ladders behave like springpots.
  * Run alone: make test-springpot */
 #include "../../figures/springpot/first_run.h"
 #include "harness/ulp.h"

@@ -1,4 +1,4 @@
-/* tests/stability/test_stability_along.c -- H 14: where a run has come to.
+/* tests/stability/test_stability_along.c -- H 14: the stability number along a run.
  * Run alone: make test-stability_along */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"

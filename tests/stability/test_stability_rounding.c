@@ -1,5 +1,5 @@
-/* tests/stability/test_stability_rounding.c -- H 14: what rounding does to three forms
- * of one integrator. Run alone: make test-stability_rounding */
+/* tests/stability/test_stability_rounding.c -- H 14: the rounding errors of three forms of one integrator.
+ * Run alone: make test-stability_rounding */
 #include <fvi/error.h>
 #include "harness/ulp.h"
 #include "stability_forms.h"

@@ -1,4 +1,4 @@
-/* tests/stability/test_stability_runs.c -- H 14: what grows, in the symbol and in runs.
+/* tests/stability/test_stability_runs.c -- H 14: growing solutions of the symbol and of runs.
  * Run alone: make test-stability_runs */
 #include "scalar_run.h"
 #include "run/whole_run.h"

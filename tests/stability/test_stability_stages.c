@@ -1,5 +1,6 @@
-/* tests/stability/test_stability_stages.c -- H 14: how many modes of Lobatto's form M
- * grow, counted around the circle. Run alone: make test-stability_stages */
+/* tests/stability/test_stability_stages.c -- H 14: the number of growing modes of Lobatto's form M, counted around
+ * the circle.
+ * Run alone: make test-stability_stages */
 #include <fvi/fvi.h>
 #include "harness/ulp.h"
 

@@ -1,4 +1,4 @@
-/* tests/stability/test_stability_warnings.c -- What a run that is not to be believed says.
+/* tests/stability/test_stability_warnings.c -- The warnings of a run that is not reliable.
  * Run alone: make test-stability_warnings */
 #include "scalar_run.h"
 

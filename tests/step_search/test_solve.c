@@ -1,4 +1,4 @@
-/* tests/step_search/test_solve.c -- The one call for a motion at given times.
+/* tests/step_search/test_solve.c -- The function fvi_solve: a motion at given times.
  * Run alone: make test-solve */
 #include "harness/ulp.h"
 #include "known_motion.h"

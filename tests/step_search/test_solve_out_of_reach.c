@@ -1,4 +1,4 @@
-/* tests/step_search/test_solve_out_of_reach.c -- The one call for a tolerance that cannot be reached: what it tells then.
+/* tests/step_search/test_solve_out_of_reach.c -- The function fvi_solve with a tolerance that cannot be reached.
  * Run alone: make test-solve_out_of_reach */
 #include "harness/ulp.h"
 #include "known_motion.h"

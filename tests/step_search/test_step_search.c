@@ -1,4 +1,4 @@
-/* tests/step_search/test_step_search.c -- H 18: does the error that was asked for come?
+/* tests/step_search/test_step_search.c -- H 18: is the error of a run as small as wanted?
  * Run alone: make test-step_search */
 #include "step_search_runs.h"
 #include "error_control/step_search.h"

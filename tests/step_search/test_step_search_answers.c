@@ -1,4 +1,4 @@
-/* tests/step_search/test_step_search_answers.c -- H 18: what a search gives out, names and refuses.
+/* tests/step_search/test_step_search_answers.c -- H 18: the results of a search, and searches that are refused.
  * Run alone: make test-step_search_answers */
 #include "step_search_runs.h"
 #include "run/whole_run.h"

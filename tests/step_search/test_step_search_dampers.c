@@ -1,5 +1,6 @@
-/* tests/step_search/test_step_search_dampers.c -- H 18: dampers between points and of matrices have
- * orders of their own. Run alone: make test-step_search_dampers */
+/* tests/step_search/test_step_search_dampers.c -- H 18: dampers between points and of matrices have their own
+ * orders.
+ * Run alone: make test-step_search_dampers */
 #include "step_search_runs.h"
 
 #include <fvi/structures.h>

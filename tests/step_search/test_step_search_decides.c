@@ -1,4 +1,4 @@
-/* tests/step_search/test_step_search_decides.c -- H 18: what decides that a run is refused.
+/* tests/step_search/test_step_search_decides.c -- H 18: the reasons for which a run is refused.
  * Run alone: make test-step_search_decides */
 #include "credulous.h"
 #include "error_control/step_search.h"

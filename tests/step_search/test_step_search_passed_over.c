@@ -1,8 +1,8 @@
-/* tests/step_search/test_step_search_passed_over.c -- H 18: steps that are no steps.
+/* tests/step_search/test_step_search_passed_over.c -- H 18: steps that are too long to be made.
  * Run alone: make test-step_search_passed_over
  *
- * All of it under error handlers that end the process, GSL's and one of ours: a step
- * that is too long is no mistake of the caller, and none is to be called for it. */
+ * All tests run under error handlers that end the process, GSL's and one of the test. A step that is too long is no
+ * mistake of the caller, so no error handler may be called. */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
 #include "error_control/step_search.h"

@@ -1,5 +1,6 @@
-/* tests/step_search/test_step_search_pulses.c -- H 18: no pulse of the force hides
- * between the nodes. Run alone: make test-step_search_pulses */
+/* tests/step_search/test_step_search_pulses.c -- H 18: the search finds pulses of the force that are shorter than a
+ * step.
+ * Run alone: make test-step_search_pulses */
 #include "error_control/search_bound.h"
 #include "run/whole_run.h"
 #include "error_control/variable_step_search.h"

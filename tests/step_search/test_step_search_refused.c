@@ -1,4 +1,4 @@
-/* tests/step_search/test_step_search_refused.c -- H 18: runs that agree and are wrong.
+/* tests/step_search/test_step_search_refused.c -- H 18: runs that agree with each other but are wrong.
  * Run alone: make test-step_search_refused */
 #include "credulous.h"
 #include "error_control/step_search.h"

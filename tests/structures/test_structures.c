@@ -1,4 +1,4 @@
-/* tests/structures/test_structures.c -- Runs with matrices.
+/* tests/structures/test_structures.c -- H 27: runs with matrices.
  * Run alone: make test-structures */
 #include "structures_runs.h"
 #include "run/whole_run.h"

@@ -1,4 +1,4 @@
-/* tests/structures/test_structures_adaptive.c -- Steps of any length, and matrices.
+/* tests/structures/test_structures_adaptive.c -- H 27: steps of any length with matrices.
  * Run alone: make test-structures_adaptive */
 #include "building.h"
 #include "structures_ref.h"

@@ -1,4 +1,4 @@
-/* tests/structures/test_structures_beam.c -- A clamped beam against what is known of it.
+/* tests/structures/test_structures_beam.c -- H 27: a clamped beam, compared with its known properties.
  * Run alone: make test-structures_beam */
 #include "structures_runs.h"
 #include "run/whole_run.h"

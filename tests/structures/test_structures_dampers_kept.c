@@ -1,5 +1,5 @@
-/* tests/structures/test_structures_dampers_kept.c -- What a run with several dampers keeps: its
- * histories, and the impulses and the work of each damper.
+/* tests/structures/test_structures_dampers_kept.c -- H 27: the histories of several dampers, and the impulses and
+ * the work of each.
  * Run alone: make test-structures_dampers_kept */
 #include "building.h"
 #include "harness/saved.h"

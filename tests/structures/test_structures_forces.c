@@ -1,5 +1,6 @@
-/* tests/structures/test_structures_forces.c -- The forces of several dampers of matrices, by steps of any length and in the
- * first rows. Run alone: make test-structures_forces */
+/* tests/structures/test_structures_forces.c -- H 27: the forces of several dampers of matrices, with steps of any
+ * length and in the first rows.
+ * Run alone: make test-structures_forces */
 #include "building.h"
 #include "harness/saved.h"
 #include "structures_ref.h"

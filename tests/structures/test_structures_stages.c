@@ -1,4 +1,4 @@
-/* tests/structures/test_structures_stages.c -- Methods with stages, and matrices.
+/* tests/structures/test_structures_stages.c -- H 27: methods with stages and matrices.
  * Run alone: make test-structures_stages */
 #include "building_error.h"
 #include "run/whole_run.h"

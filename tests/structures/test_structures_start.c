@@ -1,4 +1,4 @@
-/* tests/structures/test_structures_start.c -- Does a damping feel where bodies start?
+/* tests/structures/test_structures_start.c -- H 27: does the damping depend on the start positions?
  * Run alone: make test-structures_start */
 #include "structures_runs.h"
 #include "run/whole_run.h"

@@ -1,4 +1,4 @@
-/* tests/variable_steps/test_variable_steps.c -- H 22: the rule, the modes.
+/* tests/variable_steps/test_variable_steps.c -- H 22: the rule of the stages, and the modes.
  * Run alone: make test-variable_steps */
 #include "harness/ulp.h"
 #include "stages/variable_modes.h"

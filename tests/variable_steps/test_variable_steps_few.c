@@ -1,5 +1,4 @@
-/* tests/variable_steps/test_variable_steps_few.c -- H 22: few digits, and equations of
- * steps that are too long to be solved.
+/* tests/variable_steps/test_variable_steps_few.c -- H 22: low accuracy, and steps that are too long to be solved.
  * Run alone: make test-variable_steps_few */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"

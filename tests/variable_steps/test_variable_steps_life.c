@@ -1,5 +1,6 @@
-/* tests/variable_steps/test_variable_steps_life.c -- H 22: the life of a stepper, its
- * copies, what is saved of it, what ends it.   Run alone: make test-variable_steps_life */
+/* tests/variable_steps/test_variable_steps_life.c -- H 22: a stepper from its start to its end: copies, saved
+ * states, stops.
+ * Run alone: make test-variable_steps_life */
 #include <fvi/fvi.h>
 #include "harness/saved.h"
 #include "harness/ulp.h"

@@ -1,5 +1,5 @@
-/* tests/variable_steps/test_variable_steps_limits.c -- H 22: what steps of any
- * length do not do. Run alone: make test-variable_steps_limits */
+/* tests/variable_steps/test_variable_steps_limits.c -- H 22: the limits of steps of any length.
+ * Run alone: make test-variable_steps_limits */
 #include <fvi/exact_solution.h>
 #include "error_control/variable_step_search.h"
 #include <fvi/fvi.h>

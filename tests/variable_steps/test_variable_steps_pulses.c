@@ -1,5 +1,6 @@
-/* tests/variable_steps/test_variable_steps_pulses.c -- H 22: no pulse of the force
- * hides between the stages of a step. Run alone: make test-variable_steps_pulses */
+/* tests/variable_steps/test_variable_steps_pulses.c -- H 22: the method finds pulses of the force that are shorter
+ * than the distance of two stages.
+ * Run alone: make test-variable_steps_pulses */
 #include "harness/ulp.h"
 #include "pulse_problems.h"
 

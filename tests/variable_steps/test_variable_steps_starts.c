@@ -1,5 +1,5 @@
-/* tests/variable_steps/test_variable_steps_starts.c -- H 22: starts that are not
- * smooth, and such at rest. Run alone: make test-variable_steps_starts */
+/* tests/variable_steps/test_variable_steps_starts.c -- H 22: starts that are not smooth, also at rest.
+ * Run alone: make test-variable_steps_starts */
 #include <fvi/exact_solution.h>
 #include "run/whole_run.h"
 #include "error_control/variable_step_search.h"

@@ -1,5 +1,5 @@
-/* tests/variable_steps/test_variable_steps_step.c -- H 22: the equation of a step,
- * between its points, and what a start does to the modes.
+/* tests/variable_steps/test_variable_steps_step.c -- H 22: the equation of a step, the path between its stages, and
+ * the modes after a start.
  * Run alone: make test-variable_steps_step */
 #include "harness/ulp.h"
 #include "variable_step/variable_step.h"

@@ -1,5 +1,4 @@
-/* tests/variable_steps/test_variable_steps_use.c -- H 22: many masses, jumps that
- * nobody declared, a wanted error.
+/* tests/variable_steps/test_variable_steps_use.c -- H 22: many masses, undeclared jumps, a wanted error.
  * Run alone: make test-variable_steps_use */
 #include <fvi/fvi.h>
 #include "run/whole_run.h"
