@@ -11,12 +11,15 @@
 
 int fvi_pole_is_found(const fvi_pole_candidate *p, double widest)
 {
+    /* The residual is a few rounding errors, and cancellation made it so. The pole oscillates, and does not grow by
+     * more than rounding errors. */
     return p->residual < 1e-12 && p->uncancelled < 0.01 && cimag(p->s) > 0
            && creal(p->s) <= 1e-10 * cabs(p->s) && carg(p->s) < widest;
 }
 
-/* ---- products of vectors; x^T y is without conjugation ---- */
+/* ---- products of vectors; v^T A v is without conjugation ---- */
 
+/* Return the Euclidean norm of d complex numbers. */
 static double norm(size_t d, const double complex *x)
 {
     double sum = 0;
@@ -25,6 +28,7 @@ static double norm(size_t d, const double complex *x)
     return sqrt(sum);
 }
 
+/* Return the sum of conj(x_i) y_i. */
 static double complex conjugate_product(size_t d, const double complex *x,
                                         const double complex *y)
 {
@@ -34,8 +38,8 @@ static double complex conjugate_product(size_t d, const double complex *x,
     return sum;
 }
 
-/* Compute v^T A_l v for each term of Z. */
-static void find_forms(const fvi_response *r, const double complex *v,
+/* Compute form[l] = v^T A_l v for each term l of Z. The matrices A_l are M, K and the B_j of the dampings. */
+static void compute_forms(const fvi_response *r, const double complex *v,
                        double complex *form)
 {
     for (size_t l = 0; l < r->terms; l++) {
@@ -50,33 +54,35 @@ static void find_forms(const fvi_response *r, const double complex *v,
     }
 }
 
-/* v^T Z v from these forms: the part without damping, the part of all dampings, and their slopes. */
+/* The function v^T Z(s) v of s for a fixed shape v: its part s^2 v^T M v + v^T K v, its part from all dampings, and the
+ * derivatives of both parts by s. */
 typedef struct {
     double complex undamped, damping, undamped_slope, damping_slope;
 } scalar_stiffness;
 
-static scalar_stiffness stiffness_of(const fvi_response *r,
+/* Compute v^T Z(s) v from the forms of v. */
+static scalar_stiffness evaluate_scalar_stiffness(const fvi_response *r,
                                      const double complex *form,
                                      double complex s)
 {
     scalar_stiffness f = { .undamped = s * s * form[0] + form[1],
                            .undamped_slope = 2 * s * form[0] };
     for (size_t l = 2; l < r->terms; l++) {
-        double complex slope;
-        f.damping += fvi_kernel_at(r->term[l].kernel, s, &slope) * form[l];
-        f.damping_slope += slope / s * form[l];
+        double complex s_times_slope; /* s C'(s) */
+        f.damping += fvi_kernel_at(r->term[l].kernel, s, &s_times_slope) * form[l];
+        f.damping_slope += s_times_slope / s * form[l];
     }
     return f;
 }
 
 /* ---- Newton ---- */
 
-/* Return the zero of v^T Z(s) v near s, in the upper half plane. */
-static double complex rayleigh(const fvi_response *r,
+/* Return the zero of v^T Z(s) v near s in the upper half plane, by Newton's method for one unknown. */
+static double complex find_zero_of_form(const fvi_response *r,
                                const double complex *form, double complex s)
 {
     for (int i = 0; i < 30; i++) {
-        const scalar_stiffness f = stiffness_of(r, form, s);
+        const scalar_stiffness f = evaluate_scalar_stiffness(r, form, s);
         const double complex step =
             (f.undamped + f.damping) / (f.undamped_slope + f.damping_slope);
         if (!isfinite(cabs(step)))
@@ -90,9 +96,9 @@ static double complex rayleigh(const fvi_response *r,
     return s;
 }
 
-/* Replace v by Z^-1 Z' v at s, with its largest number equal to 1. At a pole Z has no inverse, so s is moved by some
- * rounding errors then. */
-static int iterate_shape(fvi_response *r, double complex *s, double complex *v,
+/* Replace v by Z^-1 Z' v at s, scaled so that its largest number is 1. At a pole Z has no inverse. If the factors say
+ * so, s moves by some rounding errors. `room` has d numbers. */
+static int update_shape(fvi_response *r, double complex *s, double complex *v,
                          double complex *room)
 {
     int status = fvi_stiffness_factorise(r, *s, 1);
@@ -104,17 +110,17 @@ static int iterate_shape(fvi_response *r, double complex *s, double complex *v,
         return status;
     fvi_stiffness_multiply(r, r->slope, v, room);
     status = fvi_stiffness_solve(r, room);
-    size_t top = 0;
+    size_t largest = 0;
     for (size_t i = 0; i < r->d; i++)
-        if (cabs(room[i]) > cabs(room[top]))
-            top = i;
-    const double complex unit = room[top];
+        if (cabs(room[i]) > cabs(room[largest]))
+            largest = i;
+    const double complex unit = room[largest];
     for (size_t i = 0; i < r->d && isfinite(cabs(unit)); i++)
         v[i] = room[i] / unit;
     return status;
 }
 
-/* Return |A v| for one term. */
+/* Return |A v| for the symmetric matrix A of a term. */
 static double norm_of_product(const fvi_sparse *A, const double complex *v)
 {
     double square = 0;
@@ -127,50 +133,52 @@ static double norm_of_product(const fvi_sparse *A, const double complex *v)
     return sqrt(square);
 }
 
-static void find_residual(fvi_response *r, fvi_pole_candidate *p, double complex *room)
+/* Compute p->residual and p->uncancelled for s and v of the candidate. `room` has d numbers. */
+static void compute_residual(fvi_response *r, fvi_pole_candidate *p, double complex *room)
 {
-    double parts = 0;
+    double sum_of_norms = 0; /* of the terms of Z v */
     for (size_t l = 0; l < r->terms; l++) {
         const double complex factor =
             l == 0   ? p->s * p->s
             : l == 1 ? 1
                      : fvi_kernel_at(r->term[l].kernel, p->s, NULL);
-        parts += cabs(factor) * norm_of_product(r->term[l].matrix, p->v);
+        sum_of_norms += cabs(factor) * norm_of_product(r->term[l].matrix, p->v);
     }
     fvi_stiffness_at(r, p->s, 1);
     fvi_stiffness_multiply(r, r->Z, p->v, room);
-    const double left = norm(r->d, room);
-    p->residual = left / (fvi_stiffness_norm(r, p->s) * norm(r->d, p->v));
-    p->uncancelled = left / parts;
+    const double norm_of_Zv = norm(r->d, room);
+    p->residual = norm_of_Zv / (fvi_stiffness_norm(r, p->s) * norm(r->d, p->v));
+    p->uncancelled = norm_of_Zv / sum_of_norms;
 }
 
 //> newton
 /* Alternate: s becomes the zero of v^T Z(s) v, which is stationary in v at a shape because Z is symmetric; then v
- * becomes Z(s)^-1 Z'(s) v. End when s does not change, or when its steps are rounding errors and no longer shrink. */
-static int newton_with(fvi_response *r, fvi_pole_candidate *p,
+ * becomes Z(s)^-1 Z'(s) v. End when s does not change, or when its steps are rounding errors and no longer shrink.
+ * `room` has d numbers, and `form` has one for each term of Z. */
+static int alternate_pole_and_shape(fvi_response *r, fvi_pole_candidate *p,
                        double complex *room, double complex *form)
 {
-    double last = HUGE_VAL;
+    double last_step = HUGE_VAL;
     for (int i = 0; i < 50; i++) {
         const double complex before = p->s;
-        find_forms(r, p->v, form);
-        p->s = rayleigh(r, form, p->s);
+        compute_forms(r, p->v, form);
+        p->s = find_zero_of_form(r, form, p->s);
         const double step = cabs(p->s - before) / cabs(p->s);
-        if (i > 0 && (step <= 4e-15 || (step < 1e-7 && step > last / 2)))
+        if (i > 0 && (step <= 4e-15 || (step < 1e-7 && step > last_step / 2)))
             break;
-        last = step;
-        const int status = iterate_shape(r, &p->s, p->v, room);
+        last_step = step;
+        const int status = update_shape(r, &p->s, p->v, room);
         if (status == FVI_ENOMEM)
             return status;
         if (status || !isfinite(step))
             break;
     }
-    find_residual(r, p, room);
+    compute_residual(r, p, room);
     if (p->residual > 4 * DBL_EPSILON && p->residual < 1e-6) { /* v belongs to an older s */
-        const int status = iterate_shape(r, &p->s, p->v, room);
+        const int status = update_shape(r, &p->s, p->v, room);
         if (status == FVI_ENOMEM)
             return status;
-        find_residual(r, p, room);
+        compute_residual(r, p, room);
     }
     return FVI_SUCCESS;
 }
@@ -181,7 +189,7 @@ int fvi_pole_newton(fvi_response *r, fvi_pole_candidate *p)
     double complex *room = malloc((r->d + r->terms) * sizeof *room);
     if (!room)
         return FVI_ENOMEM;
-    const int status = newton_with(r, p, room, room + r->d);
+    const int status = alternate_pole_and_shape(r, p, room, room + r->d);
     free(room);
     return status;
 }
@@ -189,37 +197,45 @@ int fvi_pole_newton(fvi_response *r, fvi_pole_candidate *p)
 double complex fvi_pole_start(const fvi_response *r, double lambda,
                               const double complex *v, double complex *form)
 {
-    double low = -300, high = 300;
+    const double least = -300; /* of ln omega */
+    double low = least, high = 300;
     if (lambda > 0)
         return I * sqrt(lambda);
-    find_forms(r, v, form);
+    compute_forms(r, v, form);
+    /* Bisect. Below the frequency that is sought, the damping is larger than the inertia. */
     for (int i = 0; i < 60; i++) {
         const double middle = (low + high) / 2, omega = exp(middle);
-        const scalar_stiffness f = stiffness_of(r, form, I * omega);
-        *(cabs(f.damping) > omega * omega * cabs(form[0]) ? &low : &high) =
-            middle;
+        const scalar_stiffness f = evaluate_scalar_stiffness(r, form, I * omega);
+        if (cabs(f.damping) > omega * omega * cabs(form[0]))
+            low = middle;
+        else
+            high = middle;
     }
-    return low == -300 ? 0 : I * exp(low);
+    return low == least ? 0 : I * exp(low);
 }
 
 double complex fvi_pole_estimate(const fvi_response *r, double lambda,
                                  const double complex *v, double complex *form)
 {
-    find_forms(r, v, form);
-    return rayleigh(r, form, I * sqrt(lambda));
+    compute_forms(r, v, form);
+    return find_zero_of_form(r, form, I * sqrt(lambda));
 }
 
-/* ---- along the damping ---- */
+/* ---- while the damping grows ---- */
 
-/* A pole on its path: s and v with the part e of the damping, |v| = 1, and the next step of e. */
+/* A pole on its path, while the part e of the damping grows from 0 to 1. */
 typedef struct {
-    double complex s, *v, *w, *x, *form;
-    double e, step;
-} path;
+    double complex s, *v; /* pole and shape for the present e; |v| = 1 */
+    double complex *w;    /* the shape for the next e, |w| = 1 */
+    double complex *x;    /* room for Z^-1 Z' w, d numbers */
+    double complex *form; /* room for one number for each term of Z */
+    double e, step;       /* present part of the damping; how much the next step adds to it */
+} damping_path;
 
-/* Find the pole with the part e of the damping near `guess`, and its shape, beginning with v. Write them to *z and w.
- * Return FVI_SUCCESS, FVI_EMAXITER, FVI_ENOMEM or what fvi_stiffness_factorise returns. */
-static int correct_pole(fvi_response *r, path *p, double e, double complex guess,
+/* Find the pole with the part e of the damping near `guess`, and its shape, beginning with p->v. Write the pole to *z
+ * and the shape to p->w. With x = Z^-1 Z' w, Newton's step of z is -w^* w / w^* x, and the next w is x / |x|. Return
+ * FVI_SUCCESS, FVI_EMAXITER, FVI_ENOMEM or what fvi_stiffness_factorise returns. */
+static int correct_pole_and_shape(fvi_response *r, damping_path *p, double e, double complex guess,
                         double complex *z)
 {
     const size_t d = r->d;
@@ -228,7 +244,7 @@ static int correct_pole(fvi_response *r, path *p, double e, double complex guess
     for (int i = 0; i < 8; i++) {
         int status = fvi_stiffness_factorise(r, *z, e);
         if (status == FVI_ESING && i > 0)
-            return FVI_SUCCESS;
+            return FVI_SUCCESS; /* z is a pole to all digits */
         if (status)
             return status == FVI_ESING ? FVI_EMAXITER : status;
         fvi_stiffness_multiply(r, r->slope, p->w, p->x);
@@ -250,13 +266,14 @@ static int correct_pole(fvi_response *r, path *p, double e, double complex guess
 }
 
 //> path
-/* Make one step of e, with the tangent ds/de = -v^T L v / v^T Z' v and Newton's method. The step is halved if s or the
- * shape would move too far, and doubled for the next time if they hardly move. */
-static int advance(fvi_response *r, double tight, path *p)
+/* Try one step of e: predict s with the tangent ds/de = -v^T L v / v^T Z' v, where L is the damping, and correct it by
+ * Newton's method. If s or the shape moves too far, keep the present pole and halve the step. If both hardly move,
+ * double the step for the next time. Return FVI_SUCCESS in all these cases, or FVI_ENOMEM. */
+static int advance_along_path(fvi_response *r, double tight, damping_path *p)
 {
     p->step = smaller(p->step, 1 - p->e);
-    find_forms(r, p->v, p->form);
-    const scalar_stiffness f = stiffness_of(r, p->form, p->s);
+    compute_forms(r, p->v, p->form);
+    const scalar_stiffness f = evaluate_scalar_stiffness(r, p->form, p->s);
     const double complex tangent =
         -f.damping / (f.undamped_slope + p->e * f.damping_slope);
     const double complex guess = p->s + p->step * tangent;
@@ -264,9 +281,10 @@ static int advance(fvi_response *r, double tight, path *p)
     int status = FVI_EMAXITER;
     if (cimag(guess) > 0
         && cabs(p->step * tangent) <= 0.3 * tight * cabs(p->s))
-        status = correct_pole(r, p, p->e + p->step, guess, &z);
+        status = correct_pole_and_shape(r, p, p->e + p->step, guess, &z);
     if (status == FVI_ENOMEM)
         return status;
+    /* the correction relative to |s|, and 1 minus the cosine between the shapes; 1 if no pole was found */
     const double moved = status ? 1 : cabs(z - guess) / cabs(z),
                  turned =
                      status ? 1 : 1 - cabs(conjugate_product(r->d, p->w, p->v));
@@ -290,16 +308,16 @@ int fvi_pole_follow(fvi_response *r, double tight, fvi_pole_candidate *c)
     double complex *room = malloc((2 * d + r->terms) * sizeof *room);
     if (!room)
         return FVI_ENOMEM;
-    path p = { .s = c->s, .v = c->v, .w = room, .x = room + d,
+    damping_path p = { .s = c->s, .v = c->v, .w = room, .x = room + d,
                .form = room + 2 * d, .step = 0.25 };
     const double size = norm(d, p.v);
     for (size_t i = 0; i < d; i++)
         p.v[i] /= size;
     int status = FVI_SUCCESS;
     while (!status && p.e < 1 && p.step > 1e-7)
-        status = advance(r, tight, &p);
+        status = advance_along_path(r, tight, &p);
     free(room);
     c->s = p.s;
-    c->residual = 1;
+    c->residual = 1; /* not found, unless Newton's method finds it */
     return status || p.e < 1 ? status : fvi_pole_newton(r, c);
 }
