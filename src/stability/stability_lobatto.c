@@ -1,7 +1,12 @@
-/* src/stability/stability_lobatto.c -- The load of the methods with stages, form M. [H 17]
+/* src/stability/stability_lobatto.c -- Compute the load of the methods with stages, form M. [H 17]
  *
  * A mode z^{-k} grows if the symbol S(z) of a step (17.18) is singular for a z inside the unit circle. The load
- * compares the ends z = -1 and z = 1 of the real interval, where S is a real matrix. */
+ * compares the ends z = -1 and z = 1 of the real interval, where S is a real matrix. For one mass
+ *
+ *     S = E^T [-K + W B + R B f(Delta)] E,   W = h^2 c / m,   R = h^(2 - 2 alpha) rho / m, or h^2 rho / m with a law,
+ *
+ * where K = D^T B D is the matrix of the kinetic energy, B = diag(b) has the weights of the stages, f(Delta) =
+ * Delta^(2 alpha), or C(Delta/h) with a law, and the columns of E make all stages out of the unknowns. */
 #include <fvi/stability.h>
 #include "kernel/kernel_terms.h"
 #include "stages/lobatto_weights.h"
@@ -17,15 +22,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The symbol S(z) of (17.18) at z = 1 or z = -1, where it is real. K is the matrix of the kinetic energy, and
- * S = K (W B + R A - 1); B and A here are n x n. */
+/* The symbol at z = 1 or z = -1, for all W and R: S = (E^T K E) (W B + R A - 1). */
 typedef struct {
-    size_t n;
-    double B[FVI_STAGES][FVI_STAGES], A[FVI_STAGES][FVI_STAGES];
-} turn;
+    size_t n;                         /* number of unknowns; B and A are n x n */
+    double B[FVI_STAGES][FVI_STAGES]; /* (E^T K E)^-1 E^T B E */
+    double A[FVI_STAGES][FVI_STAGES]; /* (E^T K E)^-1 E^T B f(Delta) E */
+} end_symbol;
 
-/* The eigenvalues of an n x n matrix with rows of FVI_STAGES numbers; a is overwritten. */
-static int eigenvalues(size_t n, double a[FVI_STAGES][FVI_STAGES],
+/* Compute the eigenvalues of an n x n matrix with rows of FVI_STAGES numbers. a is overwritten. */
+static int compute_eigenvalues(size_t n, double a[FVI_STAGES][FVI_STAGES],
                        double complex *lambda)
 {
     gsl_matrix_view A = gsl_matrix_view_array_with_tda(a[0], n, n, FVI_STAGES);
@@ -45,8 +50,8 @@ static int eigenvalues(size_t n, double a[FVI_STAGES][FVI_STAGES],
     return FVI_SUCCESS;
 }
 
-/* The symbol of the damping at the eigenvalue lambda of Delta(z): lambda^(2 alpha), or C(lambda/h) of a law. The value
- * for lambda = 0 has no effect, because that eigenvalue belongs to the constant path, which make_turn leaves out. */
+/* Return f at the eigenvalue lambda of Delta(z): lambda^(2 alpha), or C(lambda/h) with a law. The value for lambda = 0
+ * has no effect, because that eigenvalue belongs to the constant path, which make_end_symbol leaves out. */
 static double complex damping_symbol(const fvi_run *run, double complex lambda)
 {
     double complex slope;
@@ -57,10 +62,10 @@ static double complex damping_symbol(const fvi_run *run, double complex lambda)
 }
 
 //> power
-/* Apply `damped` to the matrix Delta(z), z = 1 or -1, by Lagrange's formula on its eigenvalues, which are distinct:
- * sum_j f(lambda_j) prod_{i != j} (Delta - lambda_i)/(lambda_j - lambda_i). At z = 1 one eigenvalue is 0, and its
- * rounded value is replaced by 0. */
-static int power(size_t s, double z, const fvi_run *run,
+/* Compute out = f(Delta(z)), z = 1 or -1, by Lagrange's formula on the eigenvalues of Delta, which are distinct:
+ * f(Delta) = sum_j f(lambda_j) prod_{i != j} (Delta - lambda_i)/(lambda_j - lambda_i). At z = 1 one eigenvalue is 0,
+ * and its rounded value is replaced by 0. */
+static int apply_damping_symbol(size_t s, double z, const fvi_run *run,
                  double out[FVI_STAGES][FVI_STAGES])
 {
     const fvi_lobatto_rule *rule = fvi_lobatto(s);
@@ -74,7 +79,7 @@ static int power(size_t s, double z, const fvi_run *run,
             copy[i][j] = D[i][j];
             out[i][j] = 0;
         }
-    int status = eigenvalues(s, copy, lambda);
+    int status = compute_eigenvalues(s, copy, lambda);
     for (size_t j = 0; !status && j < s; j++) {
         if (cabs(lambda[j]) < 1e-6)
             lambda[j] = 0;
@@ -82,12 +87,14 @@ static int power(size_t s, double z, const fvi_run *run,
             double complex v[FVI_STAGES] = { 0 }, next[FVI_STAGES];
             v[c] = damping_symbol(run, lambda[j]);
             for (size_t i = 0; i < s; i++) {
-                for (size_t r = 0; i != j && r < s; r++) {
+                if (i == j)
+                    continue;
+                for (size_t r = 0; r < s; r++) { /* next = (Delta - lambda_i) v */
                     next[r] = -lambda[i] * v[r];
                     for (size_t l = 0; l < s; l++)
                         next[r] += D[r][l] * v[l];
                 }
-                for (size_t r = 0; i != j && r < s; r++)
+                for (size_t r = 0; r < s; r++)
                     v[r] = next[r] / (lambda[j] - lambda[i]);
             }
             for (size_t r = 0; r < s; r++)
@@ -98,7 +105,7 @@ static int power(size_t s, double z, const fvi_run *run,
 }
 //< power
 
-/* out = E^T b X E, for the columns E. */
+/* Compute out = E^T X E, n x n. X is s x s, and E has n columns of s numbers. */
 static void project(size_t s, size_t n, double E[FVI_STAGES][FVI_STAGES],
                     double X[FVI_STAGES][FVI_STAGES],
                     double out[FVI_STAGES][FVI_STAGES])
@@ -113,49 +120,49 @@ static void project(size_t s, size_t n, double E[FVI_STAGES][FVI_STAGES],
 }
 
 //> turn
-/* The stages of a step are E times the unknowns. At z = -1 the unknowns are X_1, ..., X_{s-1}, and X_s = -X_1. At z =
- * 1, where X_s = X_1, the constant path is left out (its S is W), and the other paths have the mean zero: s - 2
- * unknowns. */
-static int make_turn(size_t s, double z, const fvi_run *run, turn *t)
+/* Compute the symbol at z = -1 or z = 1. At z = -1 the unknowns are the stages X_1, ..., X_{s-1}, and X_s = -X_1. At z
+ * = 1, where X_s = X_1, the constant path is left out, because its S is W. The other paths have the mean zero, so there
+ * are s - 2 unknowns: X_2, ..., X_{s-1}, before the mean is subtracted from all stages. */
+static int make_end_symbol(size_t s, double z, const fvi_run *run, end_symbol *symbol)
 {
     const fvi_lobatto_rule *rule = fvi_lobatto(s);
     const double *b = rule->b;
     double E[FVI_STAGES][FVI_STAGES] = { { 0 } }, K[FVI_STAGES][FVI_STAGES],
-           X[FVI_STAGES][FVI_STAGES] = { { 0 } };
-    const size_t skip = z > 0;
-    t->n = s - 1 - skip;
-    for (size_t j = 0; j < t->n; j++) {
-        E[j + skip][j] = 1;
-        for (size_t i = 0; z > 0 && i < s; i++)
-            E[i][j] -= b[j + 1];
-    }
+           X[FVI_STAGES][FVI_STAGES] = { { 0 } }; /* D^T B D, then B, then B f(Delta) */
+    const size_t left_out = z > 0 ? 1 : 0;
+    symbol->n = s - 1 - left_out;
+    for (size_t j = 0; j < symbol->n; j++)
+        E[j + left_out][j] = 1;
     if (z < 0)
         E[s - 1][0] = -1;
-    for (size_t i = 0; i < s; i++) /* K = D^T B D */
+    for (size_t j = 0; z > 0 && j < symbol->n; j++) /* subtract the mean of column j, which is b[j + 1] */
+        for (size_t i = 0; i < s; i++)
+            E[i][j] -= b[j + 1];
+    for (size_t i = 0; i < s; i++)
         for (size_t j = 0; j < s; j++)
             for (size_t l = 0; l < s; l++)
                 X[i][j] += rule->D[l][i] * b[l] * rule->D[l][j];
-    project(s, t->n, E, X, K);
+    project(s, symbol->n, E, X, K);
     for (size_t i = 0; i < s; i++)
         for (size_t j = 0; j < s; j++)
             X[i][j] = i == j ? b[i] : 0;
-    project(s, t->n, E, X, t->B);
-    int status = power(s, z, run, X);
+    project(s, symbol->n, E, X, symbol->B);
+    int status = apply_damping_symbol(s, z, run, X);
     for (size_t i = 0; i < s; i++)
         for (size_t j = 0; j < s; j++)
             X[i][j] *= b[i];
-    project(s, t->n, E, X, t->A);
+    project(s, symbol->n, E, X, symbol->A);
     gsl_matrix_view k =
-        gsl_matrix_view_array_with_tda(K[0], t->n, t->n, FVI_STAGES);
+        gsl_matrix_view_array_with_tda(K[0], symbol->n, symbol->n, FVI_STAGES);
     fvi_quiet(); /* K may be singular to rounding */
     if (!status)
         status = gsl_linalg_cholesky_decomp1(&k.matrix);
     fvi_loud();
-    for (size_t j = 0; !status && j < t->n; j++) {
+    for (size_t j = 0; !status && j < symbol->n; j++) {
         gsl_vector_view B =
-            gsl_vector_view_array_with_stride(&t->B[0][j], FVI_STAGES, t->n);
+            gsl_vector_view_array_with_stride(&symbol->B[0][j], FVI_STAGES, symbol->n);
         gsl_vector_view A =
-            gsl_vector_view_array_with_stride(&t->A[0][j], FVI_STAGES, t->n);
+            gsl_vector_view_array_with_stride(&symbol->A[0][j], FVI_STAGES, symbol->n);
         gsl_linalg_cholesky_svx(&k.matrix, &B.vector);
         gsl_linalg_cholesky_svx(&k.matrix, &A.vector);
     }
@@ -164,17 +171,18 @@ static int make_turn(size_t s, double z, const fvi_run *run, turn *t)
 //< turn
 
 //> load
-/* S has a zero in (-1, 0), or in (0, 1) at the end z = 1, if an odd number of the real eigenvalues exceeds 1. The load
- * is then the largest of the real eigenvalues, and otherwise the largest of those that do not exceed 1. */
-static int number_of_run(const turn *t, double W, double R, double *load)
+/* Compute the load at one end from the real eigenvalues of W B + R A. If an odd number of them exceeds 1, S is
+ * singular for a z between this end and 0, so a mode grows. Then the load is the largest real eigenvalue. Otherwise the
+ * load is the largest one that does not exceed 1, or 0. */
+static int compute_load_at_end(const end_symbol *symbol, double W, double R, double *load)
 {
     double G[FVI_STAGES][FVI_STAGES], below = 0, above = 0;
     double complex mu[FVI_STAGES];
-    for (size_t i = 0; i < t->n; i++)
-        for (size_t j = 0; j < t->n; j++)
-            G[i][j] = W * t->B[i][j] + R * t->A[i][j];
-    int status = t->n > 0 ? eigenvalues(t->n, G, mu) : FVI_SUCCESS, odd = 0;
-    for (size_t j = 0; !status && j < t->n; j++) {
+    for (size_t i = 0; i < symbol->n; i++)
+        for (size_t j = 0; j < symbol->n; j++)
+            G[i][j] = W * symbol->B[i][j] + R * symbol->A[i][j];
+    int status = symbol->n > 0 ? compute_eigenvalues(symbol->n, G, mu) : FVI_SUCCESS, odd = 0;
+    for (size_t j = 0; !status && j < symbol->n; j++) {
         const double real = creal(mu[j]);
         if (cimag(mu[j]) != 0)
             continue;
@@ -207,27 +215,29 @@ static int check(size_t stages, const fvi_run *run, const void *load)
     return run->law ? fvi_kernel_check(run->law) : FVI_SUCCESS;
 }
 
-/* Raise *load to the larger load of the two ends. FVI_EOVRFLW if W or R is NaN or infinite. */
-static int number_of_mode(const turn ends[2], double W, double R, double *load)
+/* Raise *load to the load of a mode with these W and R, if that is larger at one of both ends. Return FVI_SUCCESS;
+ * FVI_EOVRFLW if W or R is NaN or infinite; or the code of the eigenvalues. */
+static int raise_load_by_mode(const end_symbol ends[2], double W, double R, double *load)
 {
     if (!gsl_finite(W) || !gsl_finite(R))
         FVI_FAIL("the load is not finite", FVI_EOVRFLW);
     for (size_t i = 0; i < 2; i++) {
-        double part = 0;
-        int status = number_of_run(ends + i, W, R, &part);
+        double load_at_end = 0;
+        int status = compute_load_at_end(ends + i, W, R, &load_at_end);
         if (status)
             return status;
-        *load = larger(*load, part);
+        *load = larger(*load, load_at_end);
     }
     return FVI_SUCCESS;
 }
 
 //> modes
-/* The load of a system is the largest load of its modes. The modes are the eigenvectors v of W + share R, with W =
- * M^{-1/2} h^2 K M^{-1/2} and R = M^{-1} h^(2 - 2 alpha) rho, or M^{-1} h^2 rho with a law; R is diagonal, d numbers.
- * In the load of a mode, v^T W v stands for h^2 c / m, and v^T R v for R. For s = 2 the share is such that the sum is 4
- * times the matrix of (17.16). Where W and R commute, the modes are the same for every share. */
-static int number_of_modes(const turn ends[2], double share, size_t d,
+/* Raise *load to the largest load of the modes of a system. The modes are the eigenvectors v of W + share R, where W is
+ * the matrix M^{-1/2} h^2 H M^{-1/2} with the Hessian H of the potential, and R is diagonal, d numbers: the R of each
+ * coordinate. In the load of a mode, v^T W v and v^T R v take the places of W and R. For s = 2 the caller chooses the
+ * share so that the sum is 4 times the matrix of (17.16). Where W and R commute, the modes are the same for every
+ * share. */
+static int raise_load_by_all_modes(const end_symbol ends[2], double share, size_t d,
                            const double *W, const double *R, double *load)
 {
     double *V = malloc((2 * d + 5) * d * sizeof *V);
@@ -237,7 +247,7 @@ static int number_of_modes(const turn ends[2], double share, size_t d,
     gsl_matrix_view matrix = gsl_matrix_view_array(G, d, d),
                     modes = gsl_matrix_view_array(V, d, d);
     gsl_vector_view values = gsl_vector_view_array(room, d);
-    gsl_eigen_symmv_workspace work = { .size = d, /* fail.h says why not GSL's */
+    gsl_eigen_symmv_workspace work = { .size = d, /* GSL's own allocation may leak (fail.h) */
                                        .d = room + d,
                                        .sd = room + 2 * d,
                                        .gc = room + 3 * d,
@@ -255,7 +265,7 @@ static int number_of_modes(const turn ends[2], double share, size_t d,
                 spring += v * W[i * d + l] * V[l * d + j];
             damper += v * R[i] * v;
         }
-        status = number_of_mode(ends, spring, damper, load);
+        status = raise_load_by_mode(ends, spring, damper, load);
     }
     free(V);
     return status;
@@ -264,27 +274,27 @@ static int number_of_modes(const turn ends[2], double share, size_t d,
 
 int fvi_stability_lobatto(size_t stages, const fvi_run *run, double *load)
 {
-    turn ends[2]; /* for z = -1 and for z = 1 */
+    end_symbol ends[2]; /* for z = -1 and for z = 1 */
     int status = check(stages, run, load);
     if (!status)
-        status = make_turn(stages, -1, run, ends);
+        status = make_end_symbol(stages, -1, run, ends);
     if (!status)
-        status = make_turn(stages, 1, run, ends + 1);
+        status = make_end_symbol(stages, 1, run, ends + 1);
     if (status)
         return status;
     const fvi_system *system = run->system;
     const fvi_potential *u = &system->potential;
     const size_t d = system->d,
-                 room = u->hessian ? fvi_potential_hessian_size(system) : 0;
-    double *R = malloc((d + room) * sizeof *R), worst = 0;
+                 entries = u->hessian ? fvi_potential_hessian_size(system) : 0;
+    double *R = malloc((d + entries) * sizeof *R), largest_load = 0;
     if (!R)
         FVI_FAIL("no memory for the Hessian", FVI_ENOMEM);
-    double *W = R + d;
+    double *W = R + d; /* h^2 times the Hessian, divided by the roots of the masses of row and column */
     for (size_t i = 0; i < d; i++) {
         R[i] = pow(run->h, run->law ? 2 : 2 - 2 * run->alpha)
                * system->damping[i] / system->mass[i];
         if (!status && !u->hessian)
-            status = number_of_mode(ends, 0, R[i], &worst);
+            status = raise_load_by_mode(ends, 0, R[i], &largest_load);
     }
     if (u->hessian)
         status = fvi_potential_hessian(system, run->x0, W);
@@ -293,10 +303,10 @@ int fvi_stability_lobatto(size_t stages, const fvi_run *run, double *load)
             W[i] *= gsl_pow_2(run->h)
                     / sqrt(system->mass[i / d] * system->mass[i % d]);
         const double share = stages == 2 ? ends->A[0][0] / ends->B[0][0] : 1;
-        status = number_of_modes(ends, share, d, W, R, &worst);
+        status = raise_load_by_all_modes(ends, share, d, W, R, &largest_load);
     }
     free(R);
     if (!status)
-        *load = worst;
+        *load = largest_load;
     return status;
 }
