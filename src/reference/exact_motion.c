@@ -12,9 +12,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- what stands on the right ---- */
+/* ---- the right-hand side b(s), and Z(s)^-1 b(s) ----
+ *
+ * The transform of the motion satisfies Z(s) Y(s) = b(s) with Y = X - x_0/s and b = p_0 - K x_0/s + F. F is the
+ * transform of the force, which is the same on every unknown. A constant force is a source of its own, with b = A/s. A
+ * step of the force that ends at T is a constant force from 0 on minus a constant force from T on. */
 
-/* Compute b(s): Z (X - x_0/s) = p_0 - K x_0/s + F. */
+/* Compute b(s) of one source. */
 static void evaluate_right_hand_side(const fvi_exact_motion *o, source_kind which,
                                      double complex s, double complex *b)
 {
@@ -25,7 +29,8 @@ static void evaluate_right_hand_side(const fvi_exact_motion *o, source_kind whic
         b[i] = which == BY_STEP ? o->A / s : o->p0[i] - o->spring_force[i] / s + cosine;
 }
 
-static int solve(fvi_exact_motion *o, double complex s, double complex *b,
+/* Replace b by Z(s)^-1 b. */
+static int solve_stiffness(fvi_exact_motion *o, double complex s, double complex *b,
                  fvi_error *error)
 {
     const double at[2] = { creal(s), cimag(s) };
@@ -34,8 +39,8 @@ static int solve(fvi_exact_motion *o, double complex s, double complex *b,
 
 /* ---- the poles of Y ---- */
 
-/* Set pole k and its residue v v^T b(s_k), because v v^T is the residue of Z^-1. */
-static void set_residue(fvi_exact_motion *o, source_kind which, size_t k)
+/* Set pole k of Y and its residue v v^T b(s_k). Here v is the shape of the pole, so v v^T is the residue of Z^-1. */
+static void set_pole_and_residue(fvi_exact_motion *o, source_kind which, size_t k)
 {
     source *y = o->source + which;
     const double complex *v = (const double complex *)o->poles.shape + k * o->d;
@@ -48,58 +53,62 @@ static void set_residue(fvi_exact_motion *o, source_kind which, size_t k)
         y->residue[k * o->d + i] = product * v[i];
 }
 
-/* Add the pole i w of the cosine, with the residue Z(i w)^-1 A / 2. */
-static int add_answer(fvi_exact_motion *o, source *y, fvi_error *error)
+/* Add the pole i w of the cosine A s / (s^2 + w^2), where Y has the residue Z(i w)^-1 A / 2. */
+static int add_pole_of_cosine(fvi_exact_motion *o, source *y, fvi_error *error)
 {
     double complex *residue = y->residue + y->count * o->d;
     y->pole[y->count++] = I * o->w;
     for (size_t i = 0; i < o->d; i++)
         residue[i] = o->A / 2;
-    return solve(o, I * o->w, residue, error);
+    return solve_stiffness(o, I * o->w, residue, error);
 }
 
-static int make_source(fvi_exact_motion *o, source_kind which, fvi_error *error)
+/* Allocate a source, and compute its poles and residues. */
+static int prepare_source(fvi_exact_motion *o, source_kind which, fvi_error *error)
 {
     source *y = o->source + which;
-    const size_t n = o->poles.count + 1;
-    y->pole = calloc(n * (1 + o->d), sizeof *y->pole);
+    const size_t most = o->poles.count + 1; /* the poles of Z^-1, and that of the cosine */
+    y->pole = calloc(most * (1 + o->d), sizeof *y->pole);
     y->at = calloc(FVI_PARABOLA_NODES * o->d, sizeof *y->at);
     if (!y->pole || !y->at)
         return fvi_no_memory(error, NULL);
-    y->residue = y->pole + n;
+    y->residue = y->pole + most;
     y->count = o->poles.count;
     for (size_t k = 0; k < o->poles.count; k++)
-        set_residue(o, which, k);
+        set_pole_and_residue(o, which, k);
     return which == BY_START && o->forcing == FVI_FORCING_COSINE && o->w != 0
-               ? add_answer(o, y, error)
+               ? add_pole_of_cosine(o, y, error)
                : FVI_SUCCESS;
 }
 
 /* ---- times ---- */
 
-/* Return the largest power of 4 that is at most t. */
-static double window_of(double t)
+/* Return the largest power of 4 that is at most t. One parabola serves all times from there to FVI_PARABOLA_SPAN = 4
+ * times that. */
+static double begin_of_window(double t)
 {
     int exponent;
-    frexp(t, &exponent); /* t < 2^exponent */
+    frexp(t, &exponent); /* 2^(exponent - 1) <= t < 2^exponent */
     exponent--;
-    return ldexp(1, exponent - (exponent & 1));
+    const int is_odd = exponent & 1;
+    return ldexp(1, exponent - is_odd);
 }
 
-/* Compute Y at the nodes of the parabola of t. */
-static int solve_at_nodes(fvi_exact_motion *o, source_kind which, double t, fvi_error *error)
+/* Compute weight times Y at the nodes of the parabola that serves t, to y->at. If y->at belongs to this parabola
+ * already, compute only o->rule, which the other source may have changed. */
+static int evaluate_at_nodes(fvi_exact_motion *o, source_kind which, double t, fvi_error *error)
 {
     source *y = o->source + which;
-    const double from = window_of(t);
+    const double from = begin_of_window(t);
     int status = FVI_SUCCESS;
     fvi_parabola_make(from, &o->rule);
     if (from == y->from)
         return status;
-    y->from = 0;
+    y->from = 0; /* for no parabola, should a solution fail */
     for (size_t j = 0; !status && j < FVI_PARABOLA_NODES; j++) {
         double complex *at = y->at + j * o->d;
         evaluate_right_hand_side(o, which, o->rule.s[j], at);
-        status = solve(o, o->rule.s[j], at, error);
+        status = solve_stiffness(o, o->rule.s[j], at, error);
         for (size_t i = 0; i < o->d; i++)
             at[i] *= o->rule.weight[j];
     }
@@ -108,36 +117,38 @@ static int solve_at_nodes(fvi_exact_motion *o, source_kind which, double t, fvi_
     return status;
 }
 
-/* Add a node or a pole s: x += Re(factor a), and v += Re(factor s a). */
-static void add_residue(const fvi_exact_motion *o, const double complex *a, double complex s,
+/* Add the exponential of a node or a pole s with the amplitude a, d numbers: x += Re(factor a), and v += Re(factor s
+ * a). factor contains e^{s t}. */
+static void add_exponential(const fvi_exact_motion *o, const double complex *a, double complex s,
                         double complex factor, const fvi_exact_sums *sums)
 {
-    const double complex slope = factor * s;
+    const double complex factor_of_velocity = factor * s;
     for (size_t i = 0; i < o->d; i++) {
         if (sums->x)
             sums->x[i] += creal(factor * a[i]);
         if (sums->v)
-            sums->v[i] += creal(slope * a[i]);
+            sums->v[i] += creal(factor_of_velocity * a[i]);
     }
     if (sums->force)
         fvi_exact_motion_add_dampers(o, a, s, factor, sums);
 }
 
-/* Add sign times the contribution of a source at t. */
+/* Add sign times the contribution of a source at t: the sum over the nodes of the parabola, and the part of each pole
+ * that the nodes leave out. A pole counts twice because of its conjugate. */
 static int add_source(fvi_exact_motion *o, source_kind which, double sign, double t,
                       const fvi_exact_sums *sums, fvi_error *error)
 {
     const source *y = o->source + which;
-    const int status = solve_at_nodes(o, which, t, error);
+    const int status = evaluate_at_nodes(o, which, t, error);
     if (status)
         return status;
     for (size_t j = 0; j < FVI_PARABOLA_NODES; j++)
-        add_residue(o, y->at + j * o->d, o->rule.s[j], sign * cexp(o->rule.s[j] * t), sums);
+        add_exponential(o, y->at + j * o->d, o->rule.s[j], sign * cexp(o->rule.s[j] * t), sums);
     for (size_t k = 0; k < y->count; k++) {
         const double complex s = y->pole[k],
                              part = fvi_parabola_left_out(&o->rule, s, NULL);
         if (part != 0)
-            add_residue(o, y->residue + k * o->d, s, 2 * sign * part * cexp(s * t), sums);
+            add_exponential(o, y->residue + k * o->d, s, 2 * sign * part * cexp(s * t), sums);
     }
     return status;
 }
@@ -171,12 +182,12 @@ int fvi_exact_motion_at(fvi_exact_motion *o, size_t n, const double *t, double *
     for (size_t i = 0; i < n; i++) {
         if (!(isfinite(t[i]) && t[i] >= 0))
             return fvi_fail(error, FVI_EDOM, "t", t[i], "t is %g; it must be finite and not negative", t[i]);
-        double *at = x ? x + i * o->d : NULL, *slope = v ? v + i * o->d : NULL;
-        const fvi_exact_sums sums = { .x = at, .v = slope };
+        double *position = x ? x + i * o->d : NULL, *velocity = v ? v + i * o->d : NULL;
+        const fvi_exact_sums sums = { .x = position, .v = velocity };
         const int status = fvi_exact_motion_sum(o, t[i], &sums, error);
         if (status)
             return status;
-        if ((at && !fvi_all_finite(o->d, at)) || (slope && !fvi_all_finite(o->d, slope)))
+        if ((position && !fvi_all_finite(o->d, position)) || (velocity && !fvi_all_finite(o->d, velocity)))
             return fvi_fail(error, FVI_EOVRFLW, NULL, t[i], "the motion is not finite at t = %g", t[i]);
     }
     return FVI_SUCCESS;
@@ -203,6 +214,7 @@ static int copy_problem(const fvi_exact_problem *p, fvi_exact_motion *o, fvi_err
     return fvi_exact_motion_start(system, o->x0, o->p0, o->v0, o->spring_force);
 }
 
+/* Find all poles of Z^-1. Without them all there is no exact motion. */
 static int find_poles(fvi_exact_motion *o, fvi_error *error)
 {
     const int status = fvi_poles_find(o->response, 0, &o->poles, error);
@@ -224,7 +236,7 @@ int fvi_exact_motion_alloc(const fvi_exact_problem *problem, fvi_exact_motion **
     fvi_exact_motion *o = calloc(1, sizeof *o);
     if (!o)
         return fvi_no_memory(error, NULL);
-    const int is_constant =
+    const int has_constant_force =
         problem->forcing == FVI_FORCING_STEP
         || (problem->forcing == FVI_FORCING_COSINE && problem->w == 0);
     int status = fvi_response_alloc(&problem->motion, &o->response, error);
@@ -235,9 +247,9 @@ int fvi_exact_motion_alloc(const fvi_exact_problem *problem, fvi_exact_motion **
     if (!status)
         status = find_poles(o, error);
     if (!status)
-        status = make_source(o, BY_START, error);
-    if (!status && is_constant)
-        status = make_source(o, BY_STEP, error);
+        status = prepare_source(o, BY_START, error);
+    if (!status && has_constant_force)
+        status = prepare_source(o, BY_STEP, error);
     if (status)
         fvi_exact_motion_free(o);
     else

@@ -9,29 +9,28 @@
 
 #include <fvi/exact_motion.h>
 
-/* The sources of the motion: the start together with a cosine, or a constant force 1/s. */
+/* The sources of the motion: the start together with a cosine, and a constant force from a time on. */
 typedef enum { BY_START, BY_STEP, SOURCES } source_kind;
 
-/* Y(s) = Z(s)^-1 b(s) for one source: its poles, and its values at the nodes for the times from `from` to
- * FVI_PARABOLA_SPAN times `from`. */
+/* Y(s) = Z(s)^-1 b(s) for one source: its poles in the upper half plane, and its values at the nodes of a parabola. */
 typedef struct {
-    double complex *pole, *residue; /* count poles, d residues for each */
+    double complex *pole, *residue; /* count poles; d residues for each; one block, which begins at pole */
     size_t count;
-    double from;
-    double complex *at; /* d values for each node */
+    double from;        /* the parabola serves the times from `from` to FVI_PARABOLA_SPAN times `from`; 0: none yet */
+    double complex *at; /* weight times Y at each node, d numbers for each */
 } source;
 
 struct fvi_exact_motion {
     size_t d;
     fvi_system system;
     fvi_response *response;
-    fvi_poles poles;
+    fvi_poles poles; /* of Z^-1 */
     fvi_forcing forcing;
-    double A, T, w;
-    double *x0, *p0, *v0, *spring_force; /* d each; spring_force is K x_0 */
-    double complex *room;        /* d numbers */
+    double A, T, w; /* the force A on every unknown: until T for a step, A cos(w t) for a cosine */
+    double *x0, *p0, *v0, *spring_force; /* d each, one block; spring_force is K x_0 */
+    double complex *room;   /* d numbers */
     source source[SOURCES];
-    fvi_parabola rule;
+    fvi_parabola rule;      /* the parabola for the time that was asked for last */
     /* The next three are for the forces of dampers. They are made when forces are first asked for. */
     double *gradient; /* d for each damper along an elongation */
     double *sum;      /* forces and then impulses, d for each damping; and d more */
