@@ -14,7 +14,11 @@
 static fvi_kernel_side side_of_term(const fvi_kernel_term *t)
 {
     const fvi_kernel_class *of = fvi_kernel_classes[t->kind];
-    return t->rho == 0 ? FVI_SIDE_ON_THE_LINE : of->side ? of->side(t) : FVI_SIDE_ANYWHERE;
+    fvi_kernel_simple f;
+    return t->rho == 0                      ? FVI_SIDE_ON_THE_LINE
+           : fvi_kernel_is_fraction(t, &f) ? fvi_fraction_side(&f)
+           : of->side                      ? of->side(t)
+                                           : FVI_SIDE_ANYWHERE;
 }
 
 /* A negative term needs a term above the line in the same law. */

@@ -1,5 +1,5 @@
 /* src/kernel/kernel_classes.c -- The kinds of kernels: all that the library knows of a kind.   [H 26] */
-#include "kernel_fractions.h"
+#include "kernel_classes.h"
 
 #include "symbol_poles.h"
 #include "system/fail.h"
@@ -83,10 +83,12 @@ static int davidson_fraction(const fvi_kernel_term *t, fvi_kernel_simple *f)
 /* For r > 1 / T it is real and positive. */
 static fvi_kernel_side davidson_side(const fvi_kernel_term *t)
 {
-    return t->time == 0      ? fvi_power_side(t)
-           : t->alpha < 0.5  ? FVI_SIDE_ABOVE_OR_ON
-           : t->alpha == 0.5 ? FVI_SIDE_NEGATIVE
-                             : FVI_SIDE_ANYWHERE;
+    return t->alpha < 0.5 ? FVI_SIDE_ABOVE_OR_ON : t->alpha == 0.5 ? FVI_SIDE_NEGATIVE : FVI_SIDE_ANYWHERE;
+}
+
+static double davidson_growth(const fvi_kernel_term *t)
+{
+    return t->time == 0 ? 2 * t->alpha : 0;
 }
 
 /* Return ln(1 + z), accurate also for |z| much smaller than 1. */
@@ -118,7 +120,7 @@ static double complex davidson_by_time(const void *term, double complex s)
 }
 
 static const fvi_kernel_class davidson = {
-    { FVI_RHO, FVI_HALF_ORDER(1), FVI_TIME }, fvi_check_order_and_time, davidson_symbol, fvi_zener_growth,
+    { FVI_RHO, FVI_HALF_ORDER(1), FVI_TIME }, fvi_check_order_and_time, davidson_symbol, davidson_growth,
     davidson_fraction, fvi_davidson_modes, { davidson_by_order, davidson_by_time }, davidson_side, .has_time = 1
 };
 
@@ -162,7 +164,7 @@ static int havriliak_fraction(const fvi_kernel_term *t, fvi_kernel_simple *f)
 /* The angle of (1 + T q)^B is between 0 and the angle of q. */
 static fvi_kernel_side havriliak_side(const fvi_kernel_term *t)
 {
-    return t->time == 0 || t->alpha < 0.5 ? fvi_power_side(t) : FVI_SIDE_ANYWHERE;
+    return t->alpha < 0.5 ? FVI_SIDE_ABOVE : FVI_SIDE_ANYWHERE;
 }
 
 //> havriliak-slopes

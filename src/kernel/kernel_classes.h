@@ -43,13 +43,14 @@ typedef enum {
  *             then be analytic except for s <= 0, or `fraction` must hold
  *   symbol    returns C(s) for rho = 1 at s = modulus e^(i angle), and writes s C'(s) to *slope. slope may be NULL for
  *             the kind SYMBOL only
- *   growth    returns the exponent nu of |C(s)| ~ |s|^nu at infinity; NULL: estimated from the symbol
+ *   growth    returns the exponent nu of |C(s)| ~ |s|^nu at infinity; NULL: as `fraction` has it, or estimated from the
+ *             symbol
  *   fraction  writes a term that is one fraction of powers, and returns 1; returns 0 for a term that is none. NULL: no
  *             term is. A term that is no fraction is called general: its weights come from Cauchy's integral
  *   modes     computes the modes of a general term, as fvi_kernel_modes_of; NULL: from the symbol on the cut. Such
  *             modes are compared with the symbol before they are used
  *   by        the derivatives for rho = 1 by alpha, time and end; NULL: by differences of the symbol
- *   side      returns where a term with rho > 0 lies; NULL: not known
+ *   side      returns where a term with rho > 0 lies that is no fraction; NULL: not known
  *   has_time  nonzero: `time` is a time. 0: it is a time to the power 2 alpha */
 typedef struct {
     fvi_kernel_number number[FVI_KERNEL_FIELDS];
@@ -62,6 +63,25 @@ typedef struct {
     fvi_kernel_side (*side)(const fvi_kernel_term *t);
     int has_time;
 } fvi_kernel_class;
+
+/* The numbers of most kinds. `most` is the largest alpha. */
+#define FVI_RHO { "rho", 0, FVI_RANGE_SIZE, INFINITY }
+#define FVI_HALF_ORDER(most) { "alpha", 1, FVI_RANGE_ORDER, most }
+#define FVI_TIME { "time", 2, FVI_RANGE_SIZE, INFINITY }
+
+/* The kinds of kernel_fractions.c, and what other kinds can use of them.
+ *
+ * fvi_power_at -- Return s^{2 a} = e^{2 a ln s}. Its angle is 2 a times the angle of s, so the result is exactly real if
+ * the angle is 0.
+ * fvi_fraction_growth, fvi_fraction_side -- Return the growth and the side of a fraction of powers. */
+extern const fvi_kernel_class fvi_kernel_of_power, fvi_kernel_of_zener, fvi_kernel_of_maxwell, fvi_kernel_of_maxwell2;
+double complex fvi_power_at(double a, double modulus, double angle);
+int fvi_check_order(const fvi_kernel_term *t);
+int fvi_check_order_and_time(const fvi_kernel_term *t);
+int fvi_power_fraction(const fvi_kernel_term *t, fvi_kernel_simple *f);
+int fvi_zener_fraction(const fvi_kernel_term *t, fvi_kernel_simple *f);
+double fvi_fraction_growth(const fvi_kernel_simple *f);
+fvi_kernel_side fvi_fraction_side(const fvi_kernel_simple *f);
 
 /* The classes, indexed by the kind of a term. */
 extern const fvi_kernel_class *const fvi_kernel_classes[];

@@ -1,5 +1,5 @@
 /* src/kernel/kernel_fractions.c -- The kinds that are fractions of powers: POWER, ZENER, MAXWELL and MAXWELL2.  [H 26] */
-#include "kernel_fractions.h"
+#include "kernel_classes.h"
 
 #include "system/fail.h"
 
@@ -77,16 +77,11 @@ double complex fvi_kernel_simple_at(const fvi_kernel_simple *t, double modulus,
            * fraction_at(t->alpha, t->below, t->time, modulus, angle, &slope);
 }
 
-static double complex zener_symbol(const fvi_kernel_term *t, double modulus,
-                                   double angle, double complex *slope)
+static double complex fraction_symbol(const fvi_kernel_term *t, double modulus, double angle, double complex *slope)
 {
-    return fraction_at(t->alpha, t->alpha, t->time, modulus, angle, slope);
-}
-
-static double complex maxwell_symbol(const fvi_kernel_term *t, double modulus,
-                                     double angle, double complex *slope)
-{
-    return fraction_at(0.5, 0.5, t->time, modulus, angle, slope);
+    fvi_kernel_simple f;
+    fvi_kernel_is_fraction(t, &f);
+    return fraction_at(f.alpha, f.below, f.time, modulus, angle, slope);
 }
 
 static double complex maxwell2_symbol(const fvi_kernel_term *t, double modulus,
@@ -94,28 +89,6 @@ static double complex maxwell2_symbol(const fvi_kernel_term *t, double modulus,
 {
     return fraction_at(t->alpha, t->alpha - t->end, t->time, modulus, angle,
                        slope);
-}
-
-/* ---- growth ---- */
-
-double fvi_power_growth(const fvi_kernel_term *t)
-{
-    return 2 * t->alpha;
-}
-
-double fvi_zener_growth(const fvi_kernel_term *t)
-{
-    return t->time == 0 ? 2 * t->alpha : 0;
-}
-
-static double maxwell_growth(const fvi_kernel_term *t)
-{
-    return t->time == 0 ? 1 : 0;
-}
-
-static double maxwell2_growth(const fvi_kernel_term *t)
-{
-    return t->time == 0 ? 2 * t->alpha : 2 * t->end;
 }
 
 /* ---- one fraction of powers ---- */
@@ -147,28 +120,29 @@ static int maxwell2_fraction(const fvi_kernel_term *t, fvi_kernel_simple *f)
     return 1;
 }
 
+/* ---- growth, and the side of the cut ---- */
+
+double fvi_fraction_growth(const fvi_kernel_simple *f)
+{
+    return f->time == 0 ? 2 * f->alpha : 2 * (f->alpha - f->below);
+}
+
+/* 2 (alpha - below) would be rounded. */
+static double maxwell2_growth(const fvi_kernel_term *t)
+{
+    return t->time == 0 ? 2 * t->alpha : 2 * t->end;
+}
+
 //> sides
-/* ---- on which side of the line the symbol lies at s = -r + i0 ---- */
-
-fvi_kernel_side fvi_power_side(const fvi_kernel_term *t)
+/* A fraction q / (1 + T q) of orders up to 1 is above the line if q is. */
+fvi_kernel_side fvi_fraction_side(const fvi_kernel_simple *f)
 {
-    const double order = 2 * t->alpha;
-    return order == 0 || order == 2 ? FVI_SIDE_ON_THE_LINE
-           : order < 1              ? FVI_SIDE_ABOVE
-           : order > 1              ? FVI_SIDE_BELOW
-                                    : FVI_SIDE_NEGATIVE;
-}
-
-/* q / (1 + T q) is above the line if q is. */
-static fvi_kernel_side zener_side(const fvi_kernel_term *t)
-{
-    return t->time == 0 || t->alpha <= 0.5 ? fvi_power_side(t) : FVI_SIDE_ANYWHERE;
-}
-
-static fvi_kernel_side maxwell_side(const fvi_kernel_term *t)
-{
-    (void)t;
-    return FVI_SIDE_NEGATIVE;
+    const double order = 2 * f->alpha;
+    return f->time > 0 && order > 1   ? FVI_SIDE_ANYWHERE
+           : order == 0 || order == 2 ? FVI_SIDE_ON_THE_LINE
+           : order < 1                ? FVI_SIDE_ABOVE
+           : order > 1                ? FVI_SIDE_BELOW
+                                      : FVI_SIDE_NEGATIVE;
 }
 //< sides
 
@@ -220,24 +194,19 @@ static double complex pair_by_end(const void *term, double complex s)
 
 /* ---- the kinds ---- */
 
-const fvi_kernel_class fvi_kernel_of_power = {
-    { FVI_RHO, FVI_HALF_ORDER(1) }, fvi_check_order, power_symbol, fvi_power_growth, fvi_power_fraction,
-    .by = { symbol_by_order }, .side = fvi_power_side
-};
+const fvi_kernel_class fvi_kernel_of_power = { { FVI_RHO, FVI_HALF_ORDER(1) }, fvi_check_order, power_symbol,
+                                               .fraction = fvi_power_fraction, .by = { symbol_by_order } };
 
-const fvi_kernel_class fvi_kernel_of_zener = {
-    { FVI_RHO, FVI_HALF_ORDER(1), FVI_TIME }, fvi_check_order_and_time, zener_symbol, fvi_zener_growth, fvi_zener_fraction,
-    .by = { symbol_by_order, symbol_by_time }, .side = zener_side
-};
+const fvi_kernel_class fvi_kernel_of_zener = { { FVI_RHO, FVI_HALF_ORDER(1), FVI_TIME }, fvi_check_order_and_time,
+                                               fraction_symbol, .fraction = fvi_zener_fraction,
+                                               .by = { symbol_by_order, symbol_by_time } };
 
-const fvi_kernel_class fvi_kernel_of_maxwell = {
-    { FVI_RHO, FVI_TIME }, check_time, maxwell_symbol, maxwell_growth, maxwell_fraction,
-    .by = { NULL, symbol_by_time }, .side = maxwell_side, .has_time = 1
-};
+const fvi_kernel_class fvi_kernel_of_maxwell = { { FVI_RHO, FVI_TIME }, check_time, fraction_symbol,
+                                                 .fraction = maxwell_fraction, .by = { NULL, symbol_by_time },
+                                                 .has_time = 1 };
 
 const fvi_kernel_class fvi_kernel_of_maxwell2 = {
     { { "rho1", 0, FVI_RANGE_SIZE, INFINITY }, { "alpha1", 1, FVI_RANGE_ORDER, 1 },
       { "rho2", 2, FVI_RANGE_SIZE, INFINITY }, { "alpha2", 3, FVI_RANGE_ORDER, 1 } },
-    check_pair, maxwell2_symbol, maxwell2_growth, maxwell2_fraction,
-    .by = { pair_by_order, pair_by_time, pair_by_end }, .side = zener_side
+    check_pair, maxwell2_symbol, maxwell2_growth, maxwell2_fraction, .by = { pair_by_order, pair_by_time, pair_by_end }
 };

@@ -50,7 +50,10 @@ double fvi_kernel_growth(const fvi_kernel *law)
     for (size_t i = 0; i < law->count; i++) {
         const fvi_kernel_term *t = &law->term[i];
         const fvi_kernel_class *of = fvi_kernel_classes[t->kind];
-        most = larger(most, of->growth ? of->growth(t) : fvi_symbol_growth(t));
+        fvi_kernel_simple f;
+        most = larger(most, of->growth                     ? of->growth(t)
+                            : fvi_kernel_is_fraction(t, &f) ? fvi_fraction_growth(&f)
+                                                            : fvi_symbol_growth(t));
     }
     return most;
 }

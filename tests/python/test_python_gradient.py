@@ -135,8 +135,8 @@ def test_one_number_for_all_has_one_derivative():
 
 
 def test_a_law_has_derivatives_by_its_numbers():
-    terms = "zener:{},{},{} + power:{},{} + maxwell:{},{} + distributed:{},{},{}"
-    at = [0.4, 0.3, 1.5, 0.2, 0.15, 0.1, 0.7, 0.2, 0.1, 0.4]
+    terms = "zener:{},{},{} + power:{},{} + maxwell:{},{} + distributed:{},{},{} + havriliak:{},{},{},{}"
+    at = [0.4, 0.3, 1.5, 0.2, 0.15, 0.1, 0.7, 0.2, 0.1, 0.4, 0.3, 0.3, 1.2, 0.7]
     q = TWO.replace(damping=terms.format(*at))
     for method in ("fvi", "fvi-bdf2", "fvi-lobatto4"):
         options = dict(h=0.05, method=method)
@@ -146,6 +146,7 @@ def test_a_law_has_derivatives_by_its_numbers():
                           at, 5e-4)
         assert abs(got - want).max() <= 1e-7 * abs(want).max()
         assert list(g[0]) == ["rho", "alpha", "time"] and list(g[3]) == ["rho", "alpha", "end"]
+        assert list(g[4]) == ["rho", "alpha", "time", "beta"]
     one = fvi.vjp(fvi.solve(TWO.replace(damping="zener:0.4,0.3,1.5"), steps=20), x=1, wrt=["damping"])
     assert list(one["damping"][0]) == ["rho"]
 
