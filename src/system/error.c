@@ -76,27 +76,27 @@ const char *fvi_error_name(int code)
     case FVI_EFAULT:
         return "a null pointer";
     case FVI_EINVAL:
-        return "a length, a count or a name that cannot be";
+        return "a length, a count or a name is not possible";
     case FVI_ENOMEM:
         return "no memory";
     case FVI_EBADFUNC:
-        return "a function of the caller gave what is not finite";
+        return "a function of the caller gave a value that is not finite";
     case FVI_ERUNAWAY:
-        return "the end is not reached with the most steps that a run may take";
+        return "the run has not reached its end after the most steps that it may take";
     case FVI_EMAXITER:
         return "the iteration did not converge";
     case FVI_ETOL:
-        return "the accuracy that was asked for cannot be had";
+        return "the accuracy that was asked for cannot be reached";
     case FVI_EOVRFLW:
         return "a value stopped being finite";
     case FVI_ELOSS:
-        return "not a digit of the result would be right";
+        return "no digit of the result would be right";
     case FVI_EROUND:
-        return "rounding hides what was asked for";
+        return "rounding errors hide the result";
     case FVI_ESING:
         return "the equation has no unique solution";
     case FVI_EUNSUP:
-        return "the method has no such thing";
+        return "the method or the system does not have what was asked for";
     default:
         return "an error of the caller's own functions";
     }
