@@ -127,7 +127,7 @@ int fvi_mesh_begin(fvi_stepper *s, fvi_variable_step_state *o)
     if (status)
         return status;
     for (size_t j = 0; j < d; j++) {
-        o->kind[j] = j;
+        o->group_of[j] = j;
         o->group[j].compliance = o->T;
         o->y[j] = s->x[j];
         o->v[j] = of->v[j];

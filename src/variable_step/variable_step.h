@@ -106,7 +106,7 @@ typedef struct {
     fvi_square W0;          /* (22.2); W1 = W0 1 */
     double W1[FVI_LANES];
     double memory_leakage; /* the wrong effect of the memory on v, |b . W0 A P_{s-1}| of (22.16) */
-    size_t kinds, *kind; /* number of groups; the group of each coordinate */
+    size_t groups, *group_of; /* number of groups; the group of each coordinate */
     fvi_coordinate_group *group;
     fvi_length length; /* of the step that is tried, and of the matrices; h = 0: they are not ready */
     double coupled; /* length of the steps that s->newton, or the factors of a quadratic U, are for; 0: none */
@@ -122,19 +122,21 @@ typedef struct {
     fvi_singular singular;
     int for_adjoint; /* nonzero: a start with amplitude A = 0 has a singular part, too, for a derivative by A */
     /* the state at t, with compensated sums; y is x without its singular part */
-    double *y, *y_compensation, *v, *v_compensation, t, t_compensation;
+    double *y, *y_compensation, *v, *v_compensation, t, t_compensation; /* at the end of the last step */
     double *impulse_dv; /* the jump of v by the impulses at t */
     size_t hits;  /* number of impulses that have acted */
     int can_apply_impulses; /* nonzero: steps can be as short as a jump of v needs them */
     struct fvi_event_watch *watch; /* variable_step_events.h; NULL: the run has no events */
     /* the step that is tried, or the last step: its start, its stages */
     double t0, *y0, *v0;
-    double *base, *R, *delta;
+    double *base;  /* x_k + h c v_k, with G in a singular start: X at the stages for delta = 0 */
+    double *R;     /* right-hand side of (22.14), without grad U */
+    double *delta; /* the unknowns V - v_k */
     double *accel_legendre,
         *accel_legendre0; /* h times the Legendre coefficients of x'': of the step that is tried; of the last step */
     double *powers;   /* accel_legendre0 as coefficients of powers of theta, in the room of accel_legendre */
     int powers_known; /* nonzero once `powers` is computed */
-    double *point, *gradient, *hessian;
+    double *point, *gradient, *hessian; /* X at the stages; grad U and Hess U there */
     fvi_square *jacobian; /* the inverse Jacobian of each coordinate; or NULL */
     size_t diagonals;     /* number of diagonals of the Hessian, if they are few; or 0 */
     fvi_variable_step_band *band;
@@ -145,10 +147,9 @@ typedef struct {
     double scale;       /* the largest |x_i| so far */
     double allowed;     /* the error that this step may have */
     double contraction; /* factor by which the last iteration reduced the change */
-    int next,
-        first; /* exponents k of h = exp(L k): of the next step; of the first step after an event */
+    int next_exponent, first_exponent; /* k of h = exp(L k): of the next step; of the first step after an event */
     int first_after_event; /* nonzero in the first step after an event */
-    int most, fewest; /* exponents of the longest and of the shortest step */
+    int longest_exponent, shortest_exponent; /* k of the longest and of the shortest step */
     int growth;       /* k may grow by so much from step to step */
     int longest_solvable; /* limit of k, since the equation of a longer step could not be solved */
     int steps_since_failure;      /* accepted steps since then, modulo FVI_VARIABLE_STEP_RETRY */
@@ -211,9 +212,9 @@ int fvi_variable_step_allocate(fvi_variable_step_state *o);
 /* fvi_variable_step_compliance -- return about how far a coordinate moves until the end of the run if its velocity at
  * o->t is larger by 1. */
 static inline double fvi_variable_step_compliance(const fvi_variable_step_state *o,
-                                        const fvi_coordinate_group *kind)
+                                        const fvi_coordinate_group *group)
 {
-    return fmin(kind->compliance, o->T - o->t);
+    return fmin(group->compliance, o->T - o->t);
 }
 
 /* fvi_variable_step_prepare_kernel, _copy_kernel -- prepare a law of damping for a run, or copy it; free it with free.
@@ -251,8 +252,8 @@ static inline void fvi_add_compensated(double *sum, double *less, double more)
     *sum = t;
 }
 
-/* fvi_variable_step_try -- solve a step of this length for delta, and estimate its error. Returns the codes of
- * fvi_variable_step_solve. */
+/* fvi_variable_step_try -- solve a step of this length for delta, and estimate its error. Returns the codes
+ * of fvi_variable_step_solve. */
 int fvi_variable_step_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_length length,
                           double *error);
 
@@ -260,9 +261,9 @@ int fvi_variable_step_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_length
  * jumps; FVI_ENOMEM.
  * fvi_variable_step_next_event -- return the next time at which a step must end.
  * fvi_variable_step_exponent -- return k of h = exp(L k); for a length off the lattice, the next lower k.
- * fvi_variable_step_choose -- set o->allowed, and choose the length of the next step. It is exp(L k) with k = o->next.
- * It is shorter if the step could pass over a pulse of the force, (22.25), and then o->next becomes smaller, too, or if
- * the step must end at the event. Returns FVI_SUCCESS, or the code of force.bound. */
+ * fvi_variable_step_choose -- set o->allowed, and choose the length of the next step. It is exp(L k) with k =
+ * o->next_exponent. It is shorter if the step could pass over a pulse of the force, (22.25), and then o->next_exponent
+ * becomes smaller, too, or if the step must end at the event. Returns FVI_SUCCESS, or the code of force.bound. */
 int fvi_variable_step_find_events(const fvi_stepper *s, fvi_variable_step_state *o);
 double fvi_variable_step_next_event(fvi_variable_step_state *o);
 int fvi_variable_step_exponent(fvi_length length);
@@ -270,7 +271,7 @@ int fvi_variable_step_choose(const fvi_stepper *s, fvi_variable_step_state *o, d
                         fvi_length *length);
 
 /* fvi_variable_step_find -- find the next step: try lengths until the error is small enough, and shorten the step if an
- * event happens in it. Set o->next for the step after it.
+ * event happens in it. Set o->next_exponent for the step after it.
  *
  *   event  the step ends at this time at the latest
  *

@@ -21,7 +21,7 @@ struct fvi_variable_step_band {
     quad in[FVI_LANES];          /* w: maps stages to eigenvectors */
     double re[PAIRS][FVI_LANES], im[PAIRS][FVI_LANES]; /* 2 v: maps them back */
     quad *factor; /* of column j: 1 / D_j, then the entries below the diagonal */
-    quad kind[];  /* m lambda + damping_coeff lambda^beta of each group, and then the factors */
+    quad group[];  /* m lambda + damping_coeff lambda^beta of each group, and then the factors */
 };
 
 static inline quad multiply_quads(quad a, quad b)
@@ -47,7 +47,7 @@ static inline __attribute__((always_inline)) quad inverse_of(quad z)
 
 /* Factorise the complex symmetric matrices as L D L^T. */
 //> factorise
-FVI_VECTORS static void factorise(fvi_variable_step_band *o, const size_t *kind,
+FVI_VECTORS static void factorise(fvi_variable_step_band *o, const size_t *group_of,
                                   double hh, const double *H)
 {
     const size_t n = o->diagonals;
@@ -58,8 +58,8 @@ FVI_VECTORS static void factorise(fvi_variable_step_band *o, const size_t *kind,
             column[k].re = scale.re * H[j * n + k];
             column[k].im = scale.im * H[j * n + k];
         }
-        column[0].re += o->kind[kind[j]].re;
-        column[0].im += o->kind[kind[j]].im;
+        column[0].re += o->group[group_of[j]].re;
+        column[0].im += o->group[group_of[j]].im;
     }
     for (size_t j = 0; j < o->d; j++) {
         quad *column = &o->factor[j * n];
@@ -137,17 +137,17 @@ stages_of_pairs(const fvi_variable_step_band *o, double *r)
     }
 }
 
-void fvi_variable_step_band_kind(fvi_variable_step_band *o, size_t kind, double m,
+void fvi_variable_step_band_group(fvi_variable_step_band *o, size_t group, double m,
                             double damping_coeff)
 {
-    o->kind[kind] = (quad){ m * o->lambda.re + damping_coeff * o->power.re,
+    o->group[group] = (quad){ m * o->lambda.re + damping_coeff * o->power.re,
                             m * o->lambda.im + damping_coeff * o->power.im };
 }
 
-void fvi_variable_step_band_factorise(fvi_variable_step_band *o, const size_t *kind,
+void fvi_variable_step_band_factorise(fvi_variable_step_band *o, const size_t *group_of,
                                  double hh, const double *H)
 {
-    factorise(o, kind, hh, H);
+    factorise(o, group_of, hh, H);
 }
 
 /* Do all three if the coordinates are not coupled, with s a constant. */
@@ -196,17 +196,17 @@ void fvi_variable_step_band_solve(fvi_variable_step_band *o, double *r)
 /* ---- memory ---- */
 
 fvi_variable_step_band *fvi_variable_step_band_alloc(const fvi_variable_rule *rule,
-                                           double beta, size_t d, size_t kinds,
+                                           double beta, size_t d, size_t groups,
                                            size_t diagonals)
 {
     if (d > SIZE_MAX / sizeof(quad) / (diagonals + 2))
         return NULL;
     fvi_variable_step_band *o =
-        malloc(sizeof *o + (kinds + d * diagonals) * sizeof *o->kind);
+        malloc(sizeof *o + (groups + d * diagonals) * sizeof *o->group);
     if (!o)
         return NULL;
     *o = (fvi_variable_step_band){ .s = rule->s, .d = d, .diagonals = diagonals };
-    o->factor = o->kind + kinds;
+    o->factor = o->group + groups;
     double power_re[PAIRS], power_im[PAIRS];
     fvi_variable_powers(rule, beta, power_re, power_im);
     for (size_t n = 0; n < PAIRS; n++) {

@@ -18,21 +18,21 @@
 
 typedef struct fvi_variable_step_band fvi_variable_step_band;
 
-/* fvi_variable_step_band_alloc -- allocate a solver of d coordinates in `kinds` groups, which share m and rho, and of a
- * Hessian with `diagonals` diagonals. Free it with fvi_variable_step_band_free; NULL is allowed. Returns NULL without
- * memory. */
+/* fvi_variable_step_band_alloc -- allocate a solver of d coordinates in `groups` groups, which share m and rho, and of
+ * a Hessian with `diagonals` diagonals. Free it with fvi_variable_step_band_free; NULL is allowed. Returns NULL
+ * without memory. */
 fvi_variable_step_band *fvi_variable_step_band_alloc(const fvi_variable_rule *rule,
-                                           double beta, size_t d, size_t kinds,
+                                           double beta, size_t d, size_t groups,
                                            size_t diagonals);
 void fvi_variable_step_band_free(fvi_variable_step_band *band);
 
-/* fvi_variable_step_band_kind -- set m lambda + damping_coeff lambda^beta of a group, before the factorisation. */
-void fvi_variable_step_band_kind(fvi_variable_step_band *band, size_t kind, double m,
+/* fvi_variable_step_band_group -- set m lambda + damping_coeff lambda^beta of a group, before the factorisation. */
+void fvi_variable_step_band_group(fvi_variable_step_band *band, size_t group, double m,
                             double damping_coeff);
 
 /* fvi_variable_step_band_factorise -- compute the factors, from the group of each coordinate and from hh times H. H is
  * stored by diagonals as in fvi_potential. Cost O(d diagonals^2). */
-void fvi_variable_step_band_factorise(fvi_variable_step_band *band, const size_t *kind,
+void fvi_variable_step_band_factorise(fvi_variable_step_band *band, const size_t *group_of,
                                  double hh, const double *H);
 
 /* fvi_variable_step_band_solve -- replace r by eps, FVI_LANES numbers for each coordinate. eps is not finite if a pivot

@@ -20,7 +20,7 @@ int fvi_variable_step_close_contact(fvi_stepper *s, fvi_variable_step_state *o, 
     if (!status)
         status = fvi_mesh_jump(s, o, s->p, 0);
     o->first_after_event = 1;
-    o->next = o->first;
+    o->next_exponent = o->first_exponent;
     return status;
 }
 
@@ -36,7 +36,7 @@ int fvi_variable_step_open_contact(fvi_stepper *s, fvi_variable_step_state *o, s
     w->closed[i] = w->is_new[i] = 0;
     w->has_hit[i] = 1;
     o->first_after_event = 1;
-    o->next = o->first;
+    o->next_exponent = o->first_exponent;
     const int status = fvi_mechanism_open_contact(s, o->t, o->y, i);
     return status || is_new
                ? status
@@ -61,7 +61,7 @@ int fvi_variable_step_open_tensile_contacts(fvi_stepper *s, fvi_variable_step_st
 static int try_first_step(fvi_stepper *s, fvi_variable_step_state *o)
 {
     enum { SHORTER = 20 };
-    double h = fmin(exp(fvi_variable_spacing() * o->first), fvi_variable_step_next_event(o) - o->t), error;
+    double h = fmin(exp(fvi_variable_spacing() * o->first_exponent), fvi_variable_step_next_event(o) - o->t), error;
     int status = h > 0 ? FVI_SUCCESS : FVI_EMAXITER;
     for (int i = 0; i < SHORTER && h > 0; i++, h /= 4) {
         status = fvi_variable_step_try(s, o, (fvi_length){ h, FVI_OFF_LATTICE }, &error);

@@ -44,15 +44,15 @@ static void grow_step(fvi_variable_step_state *o, double error, int again)
 {
     const int more = step_change(o, error),
               k = fvi_variable_step_exponent(o->length) + (again && more > 0 ? 0 : more);
-    o->next = o->length.k == FVI_OFF_LATTICE && !o->first_after_event
-                  ? (int)fmax(o->next, k) /* an event cut this step short */
+    o->next_exponent = o->length.k == FVI_OFF_LATTICE && !o->first_after_event
+                  ? (int)fmax(o->next_exponent, k) /* an event cut this step short */
                   : k;
     o->steps_since_failure = (o->steps_since_failure + 1) % FVI_VARIABLE_STEP_RETRY;
-    if (o->steps_since_failure == 0 && o->longest_solvable < o->most)
+    if (o->steps_since_failure == 0 && o->longest_solvable < o->longest_exponent)
         o->longest_solvable++;
-    o->next = (int)smaller(o->next, fmin(o->most, o->longest_solvable));
+    o->next_exponent = (int)smaller(o->next_exponent, fmin(o->longest_exponent, o->longest_solvable));
     if (o->first_after_event) /* the next start after an event takes this length */
-        o->first = o->next;
+        o->first_exponent = o->next_exponent;
 }
 
 /* Set the exponent of the next trial after a rejected trial: the error was too large or NaN, or the equation was not
@@ -65,7 +65,7 @@ static void shrink_step(fvi_variable_step_state *o, fvi_length length, double er
         o->longest_solvable = now - 1;
         o->steps_since_failure = 0;
     }
-    o->next = (int)fmax(now + (failed ? -2 : step_change(o, error)), o->fewest);
+    o->next_exponent = (int)fmax(now + (failed ? -2 : step_change(o, error)), o->shortest_exponent);
     o->counts.rejected++;
 }
 

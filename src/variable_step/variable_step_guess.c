@@ -73,8 +73,8 @@ static void leapfrog_positions(fvi_variable_step_state *o, size_t i, double dt)
 static void leapfrog_velocities(fvi_variable_step_state *o, size_t i, double dt, double by_h)
 {
     for (size_t j = 0; j < o->d; j++) {
-        const fvi_coordinate_group *kind = &o->group[o->kind[j]];
-        const double by_m = 1 / kind->mass, damping_coeff = kind->damping_coeff * by_h,
+        const fvi_coordinate_group *group = &o->group[o->group_of[j]];
+        const double by_m = 1 / group->mass, damping_coeff = group->damping_coeff * by_h,
                      w = by_m * damping_coeff * o->W0.column[i][i],
                      held = 1 / (1 + dt / 2 * w);
         double *v = o->delta + j * FVI_LANES, *a = o->accel_legendre + j * FVI_LANES,

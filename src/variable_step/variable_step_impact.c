@@ -18,7 +18,7 @@
 static double mass_in_impact(const fvi_stepper *s, size_t j)
 {
     const fvi_variable_step_state *o = s->method_state;
-    return o->group[o->kind[j]].mass;
+    return o->group[o->group_of[j]].mass;
 }
 
 static int apply_impulse(fvi_stepper *s, const double *J, double factor)
@@ -32,7 +32,7 @@ static int apply_impulse(fvi_stepper *s, const double *J, double factor)
         s->p[j] += s->run.system->mass[j] * jump;
     }
     o->first_after_event = 1;
-    o->next = o->first;
+    o->next_exponent = o->first_exponent;
     return status;
 }
 

@@ -52,10 +52,10 @@ double fvi_variable_step_next_event(fvi_variable_step_state *o)
 static fvi_length propose_length(const fvi_variable_step_state *o, double event)
 {
     const double rest = event - o->t;
-    const fvi_length length = { o->next == o->length.k && o->length.h > 0
+    const fvi_length length = { o->next_exponent == o->length.k && o->length.h > 0
                                     ? o->length.h
-                                    : exp(fvi_variable_spacing() * o->next),
-                                o->next };
+                                    : exp(fvi_variable_spacing() * o->next_exponent),
+                                o->next_exponent };
     if (length.h < rest / 2)
         return length;
     if (length.h >= rest && o->length.k == FVI_OFF_LATTICE
@@ -103,10 +103,10 @@ static double hidden_force(const double *most, size_t d, size_t order, double h)
 static int is_clear(const fvi_variable_step_state *o, size_t order, double h)
 {
     for (size_t j = 0; j < o->d; j++) {
-        const fvi_coordinate_group *kind = &o->group[o->kind[j]];
-        const double compliance = fvi_variable_step_compliance(o, kind),
+        const fvi_coordinate_group *group = &o->group[o->group_of[j]];
+        const double compliance = fvi_variable_step_compliance(o, group),
                      rest = hidden_force(o->most_of_force + j, o->d, order, h);
-        if (!(2 * h * rest * compliance <= o->allowed * kind->mass))
+        if (!(2 * h * rest * compliance <= o->allowed * group->mass))
             return 0;
     }
     return 1;
@@ -162,6 +162,6 @@ int fvi_variable_step_choose(const fvi_stepper *s, fvi_variable_step_state *o, d
             clear ? FVI_SUCCESS : check_force_bounds(s, o, length->h, event, &clear);
         if (status || clear)
             return status;
-        o->next = fvi_variable_step_exponent(*length) - FASTER;
+        o->next_exponent = fvi_variable_step_exponent(*length) - FASTER;
     }
 }

@@ -18,7 +18,7 @@ FVI_VECTORS static void right_sides(fvi_variable_step_state *o, const double *g)
 {
     const double h = o->length.h;
     for (size_t j = 0; j < o->d; j++) {
-        const double c = o->group[o->kind[j]].spring, x = o->y[j];
+        const double c = o->group[o->group_of[j]].spring, x = o->y[j];
         const fvi_four *base = (const fvi_four *)(o->base + j * FVI_LANES);
         fvi_four *R = (fvi_four *)(o->R + j * FVI_LANES);
         R[0] -= h * (g[j] + c * (base[0] - x));
@@ -31,7 +31,7 @@ FVI_VECTORS static void find_linear_residual(const fvi_variable_step_state *o, d
 {
     for (size_t j = 0; j < o->d; j++) {
         const size_t at = j * FVI_LANES;
-        const fvi_square *L = &o->group[o->kind[j]].L;
+        const fvi_square *L = &o->group[o->group_of[j]].L;
         fvi_four low = *(fvi_four *)(o->R + at),
                  high = *(fvi_four *)(o->R + at + 4);
         for (size_t l = 0; l < o->rule->s; l++) {
@@ -47,10 +47,10 @@ FVI_VECTORS static void find_linear_residual(const fvi_variable_step_state *o, d
 void fvi_variable_step_factorise(fvi_variable_step_state *o)
 {
     const double h = o->length.h;
-    for (size_t n = 0; n < o->kinds; n++)
-        fvi_variable_step_band_kind(o->band, n, o->group[n].mass,
+    for (size_t n = 0; n < o->groups; n++)
+        fvi_variable_step_band_group(o->band, n, o->group[n].mass,
                                o->group[n].damping_coeff);
-    fvi_variable_step_band_factorise(o->band, o->kind, h * h, o->hessian);
+    fvi_variable_step_band_factorise(o->band, o->group_of, h * h, o->hessian);
 }
 
 /* Solve by the eigenvectors. With eight stages the factors are accurate to 1e-12 of delta only, so the residual is
@@ -61,7 +61,7 @@ static void solve_by_pairs(fvi_variable_step_state *o)
     const size_t n = o->d * FVI_LANES;
     if (o->coupled != o->length.h) {
         for (size_t j = 0; j < o->d; j++)
-            o->hessian[j] = o->group[o->kind[j]].spring;
+            o->hessian[j] = o->group[o->group_of[j]].spring;
         fvi_variable_step_factorise(o);
         o->coupled = o->length.h;
     }
@@ -85,7 +85,7 @@ int fvi_variable_step_solve_linear(fvi_stepper *s, fvi_variable_step_state *o)
     if (o->band)
         solve_by_pairs(o);
     for (size_t j = 0; j < o->d && !o->band; j++)
-        fvi_square_apply(o->rule->s, &o->group[o->kind[j]].inverse,
+        fvi_square_apply(o->rule->s, &o->group[o->group_of[j]].inverse,
                          o->R + j * FVI_LANES, o->delta + j * FVI_LANES);
     return FVI_SUCCESS;
 }

@@ -136,7 +136,7 @@ FVI_VECTORS static void jacobian(const fvi_variable_step_state *o, size_t j,
             * (fvi_four){ H4[0], H4[d], s == 8 ? H4[2 * d] : 0,
                           s == 8 ? H4[3 * d] : 0 }
     };
-    *J = o->group[o->kind[j]].L;
+    *J = o->group[o->group_of[j]].L;
     for (size_t l = 0; l < s; l++) {
         const fvi_four *column = (const fvi_four *)o->to_x->column[l];
         fvi_four *to = (fvi_four *)J->column[l];
@@ -190,16 +190,16 @@ FVI_VECTORS static double correct(fvi_variable_step_state *o, const fvi_square *
     const size_t s = o->rule->s;
     fvi_four most = { 0 }, all = { 0 };
     for (size_t j = 0; j < o->d; j++) {
-        const fvi_coordinate_group *kind = &o->group[o->kind[j]];
+        const fvi_coordinate_group *group = &o->group[o->group_of[j]];
         fvi_four left[2], by[2],
             *delta = (fvi_four *)(o->delta + j * FVI_LANES);
         find_residual(o, j, left);
         if (M) {
-            multiply_stages(s, &kind->L, (const double *)delta, by);
+            multiply_stages(s, &group->L, (const double *)delta, by);
             left[0] -= by[0];
             left[1] -= by[1];
         }
-        multiply_stages(s, M ? M + j : &kind->inverse, (const double *)left, by);
+        multiply_stages(s, M ? M + j : &group->inverse, (const double *)left, by);
         for (size_t i = 0; i < 2; i++) {
             if (!M)
                 by[i] -= delta[i];
@@ -216,7 +216,7 @@ FVI_VECTORS static void residuals(const fvi_variable_step_state *o, double *eps)
 {
     for (size_t j = 0; j < o->d; j++) {
         const size_t at = j * FVI_LANES;
-        const fvi_square *L = &o->group[o->kind[j]].L;
+        const fvi_square *L = &o->group[o->group_of[j]].L;
         fvi_four *left = (fvi_four *)(eps + at), low, high;
         find_residual(o, j, left);
         low = left[0];
@@ -297,7 +297,7 @@ static int prepare_coupled(fvi_stepper *s, fvi_variable_step_state *o)
         for (size_t i = 0; i < n; i++) {
             double column[FVI_LANES];
             fvi_square_apply(n, o->to_x,
-                             o->group[o->kind[j]].inverse.column[i], column);
+                             o->group[o->group_of[j]].inverse.column[i], column);
             for (size_t l = 0; l < n; l++)
                 coupling[(j * n + l) * n + i] = hh * column[l];
         }
@@ -321,7 +321,7 @@ static int solve_coupled(fvi_stepper *s, fvi_variable_step_state *o)
     double *r = o->hessian, *X = o->point; /* ordered by stages */
     for (size_t j = 0; j < d; j++) {
         double by_R[FVI_LANES], move[FVI_LANES];
-        fvi_square_apply(n, &o->group[o->kind[j]].inverse,
+        fvi_square_apply(n, &o->group[o->group_of[j]].inverse,
                          o->R + j * FVI_LANES, by_R);
         fvi_square_apply(n, o->to_x, by_R, move);
         for (size_t i = 0; i < n; i++) {
@@ -334,7 +334,7 @@ static int solve_coupled(fvi_stepper *s, fvi_variable_step_state *o)
     for (size_t j = 0; !status && j < d; j++) {
         fvi_four left[2];
         find_residual(o, j, left);
-        fvi_square_apply(n, &o->group[o->kind[j]].inverse,
+        fvi_square_apply(n, &o->group[o->group_of[j]].inverse,
                          (const double *)left, o->delta + j * FVI_LANES);
     }
     return status;

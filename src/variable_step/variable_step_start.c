@@ -24,34 +24,34 @@ static double find_compliance(double m, double rho, double c, double alpha, doub
 }
 
 /* Form the groups: a new group begins where the mass, damping or spring differs from the coordinate before. Return the
- * number of groups. Fill o->kind and o->group only if they are allocated. springs: one number for each coordinate, or
- * NULL. */
+ * number of groups. Fill o->group_of and o->group only if they are allocated. springs: one number for each coordinate,
+ * or NULL. */
 static size_t group_coordinates(const fvi_stepper *s, const double *springs,
                                 fvi_variable_step_state *o)
 {
     const fvi_system *system = s->run.system;
     const int heavier = s->run.alpha == 1;
-    double mass = 0, damping = 0, spring = 0, linear = 0, compliance = 0;
+    double mass = 0, damping = 0, spring = 0, last_group_spring = 0, compliance = 0;
     size_t n = 0;
     for (size_t j = 0; j < system->d; j++) {
         const double rho = system->damping[j],
                      m = system->mass[j] + (heavier ? rho : 0),
                      c = springs ? springs[j] : 0,
-                     group = o->solve == FVI_SOLVE_LINEAR ? c : 0;
+                     group_spring = o->solve == FVI_SOLVE_LINEAR ? c : 0;
         const int same = j > 0 && m == mass && rho == damping;
-        if (o->kind && !(same && c == spring))
+        if (o->group_of && !(same && c == spring))
             compliance = find_compliance(m, rho, c, s->run.alpha, o->T);
-        n += !(same && group == linear);
+        n += !(same && group_spring == last_group_spring);
         mass = m;
         damping = rho;
         spring = c;
-        linear = group;
-        if (o->kind) {
-            fvi_coordinate_group *kind = &o->group[o->kind[j] = n - 1];
-            kind->mass = m;
-            kind->damping = rho;
-            kind->spring = linear;
-            kind->compliance = larger(kind->compliance, compliance);
+        last_group_spring = group_spring;
+        if (o->group_of) {
+            fvi_coordinate_group *group = &o->group[o->group_of[j] = n - 1];
+            group->mass = m;
+            group->damping = rho;
+            group->spring = group_spring;
+            group->compliance = larger(group->compliance, compliance);
         }
     }
     return n;
@@ -192,11 +192,11 @@ static void choose_rule(fvi_stepper *s, fvi_variable_step_state *o, double scale
     o->T = T;
     o->least = 1e-14 * T;
     o->growth = FVI_VARIABLE_STEP_GROWTH;
-    o->first = (int)floor(log(0.1 * pow(fmin(tolerance, 1), 0.4) * T) / L);
-    o->most = o->longest_solvable =
+    o->first_exponent = (int)floor(log(0.1 * pow(fmin(tolerance, 1), 0.4) * T) / L);
+    o->longest_exponent = o->longest_solvable =
         run->longest > 0 ? (int)floor(log(fmin(run->longest, T)) / L)
                          : (int)ceil(log(T) / L);
-    o->first = (int)smaller(o->first, o->most);
+    o->first_exponent = (int)smaller(o->first_exponent, o->longest_exponent);
     o->first_after_event = 1;
 }
 
@@ -271,9 +271,9 @@ static int begin_law(fvi_stepper *s, fvi_variable_step_state *o)
 /* Set the first exponent: as short as the start needs, but not shorter than `least`. */
 static void set_first_exponent(fvi_variable_step_state *o)
 {
-    o->fewest = (int)floor(log(o->least) / fvi_variable_spacing());
-    o->first = (int)larger(o->first, o->fewest);
-    o->next = o->first;
+    o->shortest_exponent = (int)floor(log(o->least) / fvi_variable_spacing());
+    o->first_exponent = (int)larger(o->first_exponent, o->shortest_exponent);
+    o->next_exponent = o->first_exponent;
 }
 
 /* The functions of a system whose coordinates are solved together; see variable_mechanism.h. */
@@ -296,7 +296,7 @@ static int start_coupled(fvi_stepper *s, fvi_variable_step_state *o, const coupl
 {
     const fvi_matrices *m = s->run.system->matrices;
     double scale;
-    o->kinds = m ? 1 : o->d;
+    o->groups = m ? 1 : o->d;
     o->solve = FVI_SOLVE_TOGETHER;
     int status = of->scale(s, &scale);
     if (!status)
@@ -347,8 +347,8 @@ static int start(fvi_stepper *s, int for_adjoint)
         status = check_tolerance(s, scale);
     if (!status) {
         choose_rule(s, o, scale);
-        o->kinds = group_coordinates(s, springs, o);
-        if (o->solve == FVI_SOLVE_LINEAR && o->kinds < d)
+        o->groups = group_coordinates(s, springs, o);
+        if (o->solve == FVI_SOLVE_LINEAR && o->groups < d)
             o->diagonals = 0; /* many coordinates share an inverse, which is faster */
         status = fvi_variable_step_allocate(o);
     }
@@ -368,7 +368,7 @@ static int start(fvi_stepper *s, int for_adjoint)
         const int start_jumps = s->run.alpha == 1 && s->run.past != FVI_INITIAL_HISTORY_CAPUTO;
         o->y[j] = s->x[j];
         o->v[j] =
-            s->p[j] / (start_jumps ? o->group[o->kind[j]].mass : m); /* (19.5) */
+            s->p[j] / (start_jumps ? o->group[o->group_of[j]].mass : m); /* (19.5) */
         if (o->singular.J && o->singular.e == 1
             && s->run.system->damping[j] > 0)
             o->v[j] = o->singular.c[j * (o->singular.J + 1)];

@@ -58,15 +58,15 @@ int fvi_variable_step_allocate(fvi_variable_step_state *o)
                       { &o->accel_legendre, FVI_LANES * d },
                       { &o->accel_legendre0, FVI_LANES * d }, { &o->point, s * d }, { &o->gradient, s * d },
                       { &o->hessian, s * d }, { &o->most_of_force, BOUNDS * d });
-    o->group = calloc(1, o->kinds * sizeof *o->group + 2 * d * sizeof *o->kind);
+    o->group = calloc(1, o->groups * sizeof *o->group + 2 * d * sizeof *o->group_of);
     o->jacobian = each ? calloc(d, sizeof *o->jacobian) : NULL;
     if (o->diagonals)
-        o->band = fvi_variable_step_band_alloc(o->rule, o->beta, d, o->kinds,
+        o->band = fvi_variable_step_band_alloc(o->rule, o->beta, d, o->groups,
                                           o->diagonals);
     if (!o->y || !o->group || (o->diagonals && !o->band) || (each && !o->jacobian))
         FVI_FAIL("no memory for the stages", FVI_ENOMEM);
-    o->kind = (size_t *)(o->group + o->kinds);
-    o->index = o->kind + d;
+    o->group_of = (size_t *)(o->group + o->groups);
+    o->index = o->group_of + d;
     o->powers = o->accel_legendre;
     return FVI_SUCCESS;
 }
@@ -94,8 +94,8 @@ int fvi_variable_step_copy(const fvi_stepper *from, fvi_stepper *to)
     if (status)
         return status;
     memcpy(o->y, old->y, count_numbers(o) * sizeof *o->y);
-    memcpy(o->kind, old->kind, 2 * o->d * sizeof *o->kind);
-    memcpy(o->group, old->group, o->kinds * sizeof *o->group);
+    memcpy(o->group_of, old->group_of, 2 * o->d * sizeof *o->group_of);
+    memcpy(o->group, old->group, o->groups * sizeof *o->group);
     if (old->mechanism)
         status = fvi_mesh_copy(from, to);
     else if (old->structure)
@@ -128,8 +128,8 @@ void fvi_variable_step_limit(fvi_stepper *s, double longest, int growth)
 {
     fvi_variable_step_state *o = s->method_state;
     const int most = (int)floor(log(longest) / fvi_variable_spacing());
-    o->most = (int)smaller(o->most, most);
-    o->next = o->first = (int)smaller(o->first, o->most);
+    o->longest_exponent = (int)smaller(o->longest_exponent, most);
+    o->next_exponent = o->first_exponent = (int)smaller(o->first_exponent, o->longest_exponent);
     o->growth = growth;
 }
 
@@ -168,7 +168,7 @@ int fvi_variable_step_apply_impulses(fvi_stepper *s, fvi_variable_step_state *o)
         else if (o->structure)
             status = fvi_structure_mesh_jump(s, o, J);
         for (size_t j = 0; j < o->d && !o->mechanism && !o->structure; j++) {
-            const double jump = J[j] / o->group[o->kind[j]].mass;
+            const double jump = J[j] / o->group[o->group_of[j]].mass;
             o->impulse_dv[j] += jump;
             o->v[j] += jump;
         }
@@ -204,15 +204,15 @@ int fvi_variable_step_matrices(fvi_variable_step_state *o, fvi_length length)
     const int inverse = o->solve == FVI_SOLVE_TOGETHER /* these solvers need L^{-1} */
                         || (!o->band && o->solve != FVI_SOLVE_DIAGONAL);
     o->length.h = 0; /* not ready, until all matrices are */
-    for (size_t n = 0; n < o->kinds; n++) {
-        fvi_coordinate_group *kind = &o->group[n];
-        kind->damping_coeff = o->beta == 1 ? 0 : kind->damping * power;
-        combine_squares(kind->mass, &o->rule->inverse, kind->damping_coeff, &o->W0,
-                        kind->spring * h * h, o->to_x, &kind->L);
+    for (size_t n = 0; n < o->groups; n++) {
+        fvi_coordinate_group *group = &o->group[n];
+        group->damping_coeff = o->beta == 1 ? 0 : group->damping * power;
+        combine_squares(group->mass, &o->rule->inverse, group->damping_coeff, &o->W0,
+                        group->spring * h * h, o->to_x, &group->L);
         if (!inverse)
             continue;
-        kind->inverse = kind->L;
-        int status = fvi_square_invert(o->rule->s, &kind->inverse);
+        group->inverse = group->L;
+        int status = fvi_square_invert(o->rule->s, &group->inverse);
         if (status)
             return status;
     }
@@ -230,9 +230,9 @@ static int has_possible_control(const fvi_variable_step_state *o)
     const double L = fvi_variable_spacing();
     const int lowest = (int)floor(log(DBL_TRUE_MIN) / L) - FVI_VARIABLE_STEP_LESS,
               highest = (int)ceil(log(o->T) / L);
-    return o->next >= lowest && o->next <= o->most && o->first >= lowest
-           && o->first <= o->most && o->longest_solvable >= lowest
-           && o->longest_solvable <= highest && o->most >= lowest && o->most <= highest
+    return o->next_exponent >= lowest && o->next_exponent <= o->longest_exponent && o->first_exponent >= lowest
+           && o->first_exponent <= o->longest_exponent && o->longest_solvable >= lowest
+           && o->longest_solvable <= highest && o->longest_exponent >= lowest && o->longest_exponent <= highest
            && o->growth >= 0 && o->growth <= FVI_VARIABLE_STEP_GROWTH && o->steps_since_failure >= 0
            && o->steps_since_failure < FVI_VARIABLE_STEP_RETRY && o->stalled_iterations >= 0
            && o->stalled_iterations <= FVI_VARIABLE_STEP_STUCK
@@ -275,8 +275,8 @@ int fvi_variable_step_archive(fvi_stepper *s, fvi_archive *v)
         FVI_STATES(o->accel_legendre0, FVI_LANES * o->d), FVI_STATE(o->t), FVI_STATE(o->t_compensation),
         FVI_STATE(o->t0), FVI_STATE(o->length.h), FVI_STATE(o->length.k), FVI_STATE(o->event), FVI_STATE(o->hits),
         FVI_STATE(o->scale),
-        FVI_STATE(o->next), FVI_STATE(o->first), FVI_STATE(o->first_after_event), FVI_STATE(o->most),
-        FVI_STATE(o->growth), FVI_STATE(o->longest_solvable), FVI_STATE(o->steps_since_failure),
+        FVI_STATE(o->next_exponent), FVI_STATE(o->first_exponent), FVI_STATE(o->first_after_event),
+        FVI_STATE(o->longest_exponent), FVI_STATE(o->growth), FVI_STATE(o->longest_solvable), FVI_STATE(o->steps_since_failure),
         FVI_STATE(o->undeclared_jump_until), FVI_STATE(o->stalled_iterations), FVI_STATE(o->counts.steps),
         FVI_STATE(o->counts.rejected), FVI_STATE(o->counts.longest));
     if (!status

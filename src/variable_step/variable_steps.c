@@ -10,14 +10,19 @@
  *
  * H is the history (22.10). x'' at the stages is A^{-1} delta / h, whatever the forces are. The last of its Legendre
  * coefficients estimates the error of the step, and all of them give x and p within the step. For rho = 0, form M has
- * another matrix in place of A (22.15). */
+ * another matrix in place of A (22.15).
+ *
+ * This file takes a step in two parts. fvi_variable_step_try solves (22.14) for a length that the control
+ * proposes (variable_step_control.c), and estimates the error. accept_step makes the last trial the step. In
+ * the code v_k is o->v, x_k is o->y, and the sums o->y and o->v keep their rounding errors in o->y_compensation
+ * and o->v_compensation. */
 #include <fvi/variable_steps.h>
 
 #include "variable_step_events.h"
 #include "variable_structure.h"
-#include "memory/history_kinds.h" /* FVI_VECTORS */
 #include "system/fail.h"
 #include "system/larger.h"
+#include "system/vectors.h"
 
 #include <gsl/gsl_machine.h>
 #include <gsl/gsl_math.h>
@@ -30,11 +35,12 @@ static double stage_time(const fvi_variable_step_state *o, size_t i)
     return fvi_variable_step_stage_time(o->rule, o->t, o->length.h, i);
 }
 
-/* Eight stages of a coordinate as two vectors of four numbers. The numbers behind the s-th have no meaning. */
-#define LANES(x) ((fvi_four *)(x))
+/* The stages of a coordinate, FVI_LANES numbers, as two vectors of four. The numbers behind the s-th have
+ * no meaning. */
+#define FOURS(x) ((fvi_four *)(x))
 
-/* Add the terms of a singular start to base and R. */
-static void apply_singular_force(fvi_variable_step_state *o)
+/* In a singular start x is y + G (22.19). So the stages of x begin at base + G, and y feels the residual force. */
+static void add_singular_start(fvi_variable_step_state *o)
 {
     for (size_t i = 0; i < o->rule->s; i++) {
         const double t = stage_time(o, i);
@@ -50,10 +56,10 @@ static void apply_singular_force(fvi_variable_step_state *o)
 /* Compute base = x_k + h c v_k. */
 FVI_VECTORS static void set_free_motion(fvi_variable_step_state *o)
 {
-    const fvi_four *c = LANES(o->rule->c);
+    const fvi_four *c = FOURS(o->rule->c);
     for (size_t j = 0; j < o->d; j++) {
         const double x = o->y[j], move = o->length.h * o->v[j];
-        fvi_four *base = LANES(o->base + j * FVI_LANES);
+        fvi_four *base = FOURS(o->base + j * FVI_LANES);
         base[0] = x + move * c[0];
         base[1] = x + move * c[1];
     }
@@ -61,7 +67,7 @@ FVI_VECTORS static void set_free_motion(fvi_variable_step_state *o)
 
 /* Compute base and R = h F, with the terms of a singular start. */
 //> apply-forces
-static int apply_forces(fvi_stepper *s, fvi_variable_step_state *o)
+static int set_known_forces(fvi_stepper *s, fvi_variable_step_state *o)
 {
     const double h = o->length.h;
     set_free_motion(o);
@@ -75,43 +81,50 @@ static int apply_forces(fvi_stepper *s, fvi_variable_step_state *o)
             o->R[j * FVI_LANES + i] = h * s->F[j];
     }
     if (fvi_singular_is(o, o->t))
-        apply_singular_force(o);
+        add_singular_start(o);
     return FVI_SUCCESS;
 }
 //< apply-forces
 
-/* Subtract h rho H of one set of modes from R. modes may be NULL. */
+/* Subtract h rho H of one set of modes from R; modes = NULL: there are none. */
 static void subtract_modes(fvi_variable_step_state *o, const fvi_modes *modes)
 {
     const double h = o->length.h;
     for (size_t l = 0; modes && l < o->damped; l++) {
         const size_t j = o->index[l];
-        const double factor = h * o->group[o->kind[j]].damping;
+        const double factor = h * o->group[o->group_of[j]].damping;
         double H[FVI_LANES];
         fvi_modes_history(modes, l, H);
-        fvi_four *R = LANES(o->R + j * FVI_LANES);
-        R[0] -= factor * LANES(H)[0];
-        R[1] -= factor * LANES(H)[1];
+        fvi_four *R = FOURS(o->R + j * FVI_LANES);
+        R[0] -= factor * FOURS(H)[0];
+        R[1] -= factor * FOURS(H)[1];
     }
 }
 
+/* Return the constant part of the velocities of coordinate j in this step, as its memory sees them; delta is the rest.
+ * For beta <= 0 the memory takes in v itself, so this is v_k. For beta > 0 it takes in v minus the last velocity of the
+ * step before, so this is the jump of v by the impulses at t_k (22.22). */
+static inline double constant_velocity(const fvi_variable_step_state *o, size_t j)
+{
+    return o->beta <= 0 ? o->v[j] : o->impulse_dv[j];
+}
+
 //> subtract-history
-/* Subtract h rho H from R. Subtract rho h^{1-beta} W0 1 v_k, too, if the memory depends on v and not on v - v_k.
- * Otherwise it begins from the velocity before the impulses at t_k, so subtract rho h^{1-beta} W0 1 impulse_dv.
- * (22.22) */
+/* Subtract from R the known part of the damping: h rho H, and rho h^{1-beta} W0 1 times the constant velocity. For
+ * beta = -1 the damping is a spring, whose force at x_k takes the place of H. */
 FVI_VECTORS static void subtract_history(fvi_variable_step_state *o)
 {
     const double h = o->length.h;
-    const fvi_four *W1 = LANES(o->W1);
+    const fvi_four *W1 = FOURS(o->W1);
     for (size_t j = 0; j < o->d; j++) {
-        const fvi_coordinate_group *kind = &o->group[o->kind[j]];
-        const double now = kind->damping_coeff * (o->beta <= 0 ? o->v[j] : o->impulse_dv[j]),
+        const fvi_coordinate_group *group = &o->group[o->group_of[j]];
+        const double present = group->damping_coeff * constant_velocity(o, j),
                      spring = o->beta == -1
-                                  ? h * kind->damping * (o->y[j] - o->centre[j])
+                                  ? h * group->damping * (o->y[j] - o->centre[j])
                                   : 0;
-        fvi_four *R = LANES(o->R + j * FVI_LANES);
-        R[0] -= now * W1[0] + spring;
-        R[1] -= now * W1[1] + spring;
+        fvi_four *R = FOURS(o->R + j * FVI_LANES);
+        R[0] -= present * W1[0] + spring;
+        R[1] -= present * W1[1] + spring;
     }
     subtract_modes(o, o->modes);
     subtract_modes(o, o->rising);
@@ -120,10 +133,15 @@ FVI_VECTORS static void subtract_history(fvi_variable_step_state *o)
 
 /* ---- trial of a step, and its error ---- */
 
-/* Estimate the error of the step by the wrong effects of the last Legendre coefficient a of x''. It adds to X at the
- * stages h^2 stage a at most. It adds to v, through the memory, h memory_leakage (damping_coeff/m) a. And the
- * quadrature of v adds h alias a, as a bound for the coefficients of twice the degree. A velocity of 1 moves x by its
- * compliance. Return the largest sum of all coordinates, or NaN if a coefficient is not finite. (22.16) */
+/* Write the Legendre coefficients of x'' of all coordinates, and estimate the error of the step. The coefficients that
+ * the step leaves out are about as large as the last coefficient a, which has three effects (22.16):
+ *
+ *     on X at the stages        h^2 stage a at most
+ *     on v, by the memory       h memory_leakage (damping_coeff/m) a
+ *     on v, by its quadrature   h alias a, a bound for the coefficients of twice the degree
+ *
+ * A velocity of 1 moves x by its compliance. Return the largest sum of these effects over all coordinates, or NaN if a
+ * coefficient is not finite. */
 //> estimate
 static double estimate_error(fvi_variable_step_state *o)
 {
@@ -131,14 +149,14 @@ static double estimate_error(fvi_variable_step_state *o)
     const size_t s = rule->s;
     double worst = 0;
     for (size_t j = 0; j < o->d; j++) {
-        const fvi_coordinate_group *kind = &o->group[o->kind[j]];
-        double *accel_legendre = o->accel_legendre + j * FVI_LANES;
+        const fvi_coordinate_group *group = &o->group[o->group_of[j]];
+        double *accel_legendre = o->accel_legendre + j * FVI_LANES; /* h times the coefficients */
         fvi_square_apply(s, &rule->legendre, o->delta + j * FVI_LANES, accel_legendre);
         if (!isfinite(accel_legendre[s - 1]))
             return GSL_NAN;
-        const double compliance = fvi_variable_step_compliance(o, kind),
+        const double compliance = fvi_variable_step_compliance(o, group),
                      of_x = rule->stage * o->length.h,
-                     of_v = o->memory_leakage * kind->damping_coeff / kind->mass + rule->alias;
+                     of_v = o->memory_leakage * group->damping_coeff / group->mass + rule->alias;
         worst = larger(worst, (of_x + compliance * of_v) * fabs(accel_legendre[s - 1]));
     }
     return worst;
@@ -159,7 +177,7 @@ int fvi_variable_step_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_length
         fvi_modes_begin(o->modes, length);
     if (o->rising)
         fvi_modes_begin(o->rising, length);
-    status = apply_forces(s, o);
+    status = set_known_forces(s, o);
     if (status)
         return status;
     subtract_history(o);
@@ -171,35 +189,35 @@ int fvi_variable_step_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_length
 
 /* ---- a step ---- */
 
-/* Copy x, p and t of the state to the stepper. */
+/* Write x, p and t of the stepper from y, v and t of the state. */
 static int update_stepper(fvi_stepper *s, fvi_variable_step_state *o)
 {
-    const fvi_matrices *m = s->run.system->matrices;
+    const fvi_matrices *matrices = s->run.system->matrices;
     for (size_t j = 0; j < o->d; j++) {
         double G = 0, slope = 0;
         if (fvi_singular_is(o, o->t))
             fvi_singular_at(&o->singular, j, o->t, &G, &slope, NULL);
         s->x[j] = o->y[j] + G;
-        if (!o->mechanism && !o->structure) /* others compute p elsewhere */
+        if (!o->mechanism && !o->structure) /* a mechanism has set p, and matrices set it below */
             s->p[j] = s->run.system->mass[j] * (o->v[j] + slope);
         o->scale = larger(o->scale, fabs(s->x[j]));
     }
     s->t = o->t;
-    return m ? m->inertia(o->d, o->v, m->params, s->p) : FVI_SUCCESS;
+    return matrices ? matrices->inertia(o->d, o->v, matrices->params, s->p) : FVI_SUCCESS;
 }
 
 /* Compute the velocities v of coordinate j at the stages, as its memory takes them in. */
 FVI_VECTORS static void stage_velocities(const fvi_variable_step_state *o, size_t j,
                                          double *v)
 {
-    const double more = o->beta <= 0 ? o->v[j] : o->impulse_dv[j];
-    const fvi_four *delta = LANES(o->delta + j * FVI_LANES);
-    LANES(v)[0] = delta[0] + more;
-    LANES(v)[1] = delta[1] + more;
+    const double constant = constant_velocity(o, j);
+    const fvi_four *delta = FOURS(o->delta + j * FVI_LANES);
+    FOURS(v)[0] = delta[0] + constant;
+    FOURS(v)[1] = delta[1] + constant;
 }
 
 //> accept-step
-/* Take the trial as the step: advance the modes, x and v. */
+/* Advance the modes, and x and v of the state, by the trial. */
 static void accept_motion(fvi_variable_step_state *o)
 {
     const size_t s = o->rule->s;
@@ -211,7 +229,7 @@ static void accept_motion(fvi_variable_step_state *o)
         fvi_modes_advance(o->modes, l, v, o->v[j] - o->impulse_dv[j]);
     }
     for (size_t l = 0; o->rising && l < o->damped; l++) {
-        const size_t j = o->index[l]; /* no velocity jumps here */
+        const size_t j = o->index[l]; /* a run with these modes has no impulses */
         fvi_modes_advance(o->rising, l, o->delta + j * FVI_LANES, o->v[j]);
     }
     for (size_t j = 0; j < o->d; j++) {
@@ -224,8 +242,8 @@ static void accept_motion(fvi_variable_step_state *o)
     }
 }
 
-/* Take the trial as the step, and advance the time. If only rounding errors separate the new time from the
- * event, the time is set to that of the event. */
+/* Take the trial as the step, and advance the time. `event` is the time at which the step must end at the latest. If
+ * only rounding errors separate the new time from the event, the time is set to that of the event. */
 static int accept_step(fvi_stepper *s, fvi_variable_step_state *o, double event)
 {
     const double h = o->length.h;
@@ -258,15 +276,15 @@ static int step(fvi_stepper *s)
         status = accept_step(s, o, event);
     if (status)
         return status;
-    const int over = fvi_singular_is(o, o->t0) && !fvi_singular_is(o, o->t);
-    if (over)
+    const int is_singular_part_over = fvi_singular_is(o, o->t0) && !fvi_singular_is(o, o->t);
+    if (is_singular_part_over)
         fvi_singular_transfer(o);
     status = fvi_variable_step_apply_impulses(s, o);
     if (status)
         return status;
-    o->first_after_event = o->t == event && !over;
+    o->first_after_event = o->t == event && !is_singular_part_over;
     if (o->first_after_event)
-        o->next = o->first;
+        o->next_exponent = o->first_exponent;
     status = update_stepper(s, o);
     return status || !o->watch ? status : fvi_variable_step_handle_events(s, o);
 }

@@ -176,14 +176,14 @@ static size_t begun_alike(const bench_problem *P, double tolerance,
     fvi_variable_step_state *o = s->method_state;
     const int first =
         (int)floor(log(0.1 * pow(tolerance, 0.4)) / fvi_variable_spacing());
-    o->next = first;
+    o->next_exponent = first;
     fvi_modes_free(o->modes);
     bench_need(fvi_modes_alloc(o->rule, FVI_MODES_FINE, o->beta, 1, o->T,
                                o->least, &o->modes));
     for (; s->k < run.steps; n++) {
         bench_need(fvi_stepper_step(s));
         if (o->first_after_event)
-            o->next = first;
+            o->next_exponent = first;
         t[n] = s->t;
         x[n] = s->x[0];
     }

@@ -62,7 +62,7 @@ START_TEST(eq_22_14_steps_of_given_lengths)
                                            NULL), 0);
         s->run.step_error = 1e9; /* of the stages it has been asked before */
         fvi_variable_step_state *o = s->method_state;
-        o->next = o->first = 3;
+        o->next_exponent = o->first_exponent = 3;
         fvi_modes_free(o->modes);
         o->modes = NULL;
         if (o->beta != 0) /* which are coarse for 6 stages */

@@ -37,7 +37,7 @@ START_TEST(eq_22_14_by_eigenvectors)
                     for (size_t i = 0; i < s; i++)
                         r[j * FVI_LANES + i] = cos((double)(3 * i + j));
                 for (size_t l = 0; l < 2; l++)
-                    fvi_variable_step_band_kind(band, l, m[l], drag[l]);
+                    fvi_variable_step_band_group(band, l, m[l], drag[l]);
                 fvi_variable_step_band_factorise(band, kind, hh, H);
                 memcpy(x, r, sizeof x);
                 fvi_variable_step_band_solve(band, x);
@@ -128,7 +128,7 @@ static fvi_stepper *after_one_step(size_t s, pushed push)
                                        NULL), FVI_SUCCESS);
     fvi_variable_step_state *o = stepper->method_state;
     ck_assert_uint_eq(o->rule->s, s);
-    o->next = 20;
+    o->next_exponent = 20;
     stepper->run.step_error = push.tolerance;
     ck_assert_int_eq(fvi_stepper_step(stepper), FVI_SUCCESS);
     return stepper;
@@ -304,7 +304,7 @@ START_TEST(eq_22_14_guessed_from_stage_to_stage)
                 ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s,
                                                    NULL), 0);
                 fvi_variable_step_state *o = s->method_state;
-                o->next = k;
+                o->next_exponent = k;
                 ck_assert_int_eq(fvi_stepper_step(s), 0);
                 memcpy(want, o->delta, sizeof want);
                 ck_assert_int_eq(fvi_variable_step_guess_by_leapfrog(s, o), 0);
