@@ -133,8 +133,8 @@ FVI_VECTORS static void subtract_history(fvi_variable_step_state *o)
 
 /* ---- trial of a step, and its error ---- */
 
-/* Write the Legendre coefficients of x'' of all coordinates, and estimate the error of the step. The coefficients that
- * the step leaves out are about as large as the last coefficient a, which has three effects (22.16):
+/* Write the Legendre coefficients of x'' of all coordinates, and estimate the error of the step. If the last
+ * coefficient a is small, the polynomial has followed the motion. So the effects of a are taken as the error (22.16):
  *
  *     on X at the stages        h^2 stage a at most
  *     on v, by the memory       h memory_leakage (damping_coeff/m) a

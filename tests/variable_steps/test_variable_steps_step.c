@@ -203,7 +203,7 @@ START_TEST(a_first_step_may_be_1_long)
     fvi_stepper *s;
     ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s,
                                        NULL), FVI_SUCCESS);
-    ck_assert_int_eq(((const fvi_variable_step_state *)s->method_state)->next, 0);
+    ck_assert_int_eq(((const fvi_variable_step_state *)s->method_state)->next_exponent, 0);
     ck_assert_int_eq(fvi_stepper_step(s), FVI_SUCCESS);
     ck_assert_double_le(s->t, 1);
     fvi_stepper_free(s);
