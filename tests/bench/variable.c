@@ -213,7 +213,7 @@ void bench_truth(bench_problem *P)
         bench_rows(P, 1e-14, P->truth, NULL);
 }
 
-/* x'' = - 0.2 x' - x */
+/* Compute the slope of y = (x, x') for x'' = -0.2 x' - x. */
 static int springs(double t, const double *y, double *slope, void *nothing)
 {
     (void)t, (void)nothing;

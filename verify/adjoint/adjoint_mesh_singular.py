@@ -48,7 +48,7 @@ c0, jump, eta = symbols("c_0 jump eta")
 
 
 def moved(k, z, ve, v):
-    """(22.7), s = 2: return z and v_e after step k."""
+    """Return z and v_e after step k, by (22.7) for s = 2."""
     return (1 - p[k][0]) * z + (v[1] - ve) - sum(l * (f - ve) for l, f in zip(L[k], v)), v[1]
 
 

@@ -154,7 +154,7 @@ for s in STAGES:
 
 
 def correction(s, beta):
-    """By the definition, in floating point."""
+    """Return c_{s,beta} of (17.14) by its definition, in floating point."""
     M = mpmath.matrix((D[s] + unit(s, 0) * (unit(s, 0) - unit(s, s - 1)).T / B[s][0]).evalf(60).tolist())
     c = [mpmath.mpf(str(Q(v).evalf(60) if v in (0, 1) else v.evalf(60))) for v in C[s]]
     defect = [c[i]**s / mpmath.factorial(s) for i in range(s)]
@@ -254,7 +254,7 @@ def delta(s, point):
 
 
 def cauchy(s, betas, orders, count):
-    """{(k, n): W_n of betas[k]}, Cauchy's integral of Delta(z)^beta; error RADIUS^count."""
+    """Return {(k, n): W_n of betas[k]} by Cauchy's integral of Delta(z)^beta, with an error of RADIUS^count."""
     points = circle(lambda z: delta(s, z), RADIUS, count)
     return {(k, n): W for k, beta in enumerate(betas)
             for n, W in coefficients(points, lambda root: root**beta, orders).items()}
@@ -379,7 +379,7 @@ def symbol(s, point, alpha):
 
 
 def load(s, alpha, w, r):
-    """The largest of the real eigenvalues, where an odd number exceeds 1, else below."""
+    """Return the load: the largest real eigenvalue where an odd number of them exceeds 1, else the largest up to 1."""
     best = mpmath.mpf(0)
     for point in (-1, 1)[:1 if s == 2 else 2]:
         K, W_, R_ = symbol(s, mpmath.mpf(point), alpha)

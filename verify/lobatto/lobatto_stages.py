@@ -206,7 +206,8 @@ def symbol(s, point, alpha):
 
 
 def load(s, alpha, w, r):
-    """The largest of the real eigenvalues, where an odd number exceeds 1, else below."""
+    """Return the load, from the real eigenvalues at z = -1 and 1: the largest eigenvalue where an odd number of them
+    exceeds 1, else the largest one up to 1."""
     best = mpf(0)
     for point in (-1, 1):
         W, R = symbol(s, point, alpha)

@@ -124,7 +124,7 @@ def values(s, at):
 
 
 def moved(step, old, node, up, b):
-    """(22.6), (22.7): return one mode after one step."""
+    """Return one mode after one step, by (22.6), (22.7)."""
     h, v, ve = step
     s, at = len(v), h * node
     a = values(s, at)

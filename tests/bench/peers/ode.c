@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* y = (x, v) */
+/* Compute the slopes f of y = (x, v). */
 static int slope(double t, const double y[], double f[], void *params)
 {
     const problem *p = params;

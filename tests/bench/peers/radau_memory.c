@@ -173,7 +173,7 @@ FVI_VECTORS static void weigh(int n, const double *restrict a,
         c[q] = a[q] * b[q];
 }
 
-/* z <- R z + sum_j g_j u_j */
+/* Advance the modes by a step: z <- R z + sum_j g_j u_j. */
 FVI_VECTORS static void go_on(int n, int s, int stride,
                               const double *restrict a, const double *u,
                               double *restrict z)
