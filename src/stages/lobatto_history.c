@@ -10,39 +10,49 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* A beta for the checks of a law, which has none. It stands for any beta that needs a history. */
+#define BETA_OF_LAW (-0.5)
+
 enum { LANES = FVI_MODE_LANES, MOST_DIRECT_STEPS = 64 /* largest number of steps that AUTO sums directly */ };
 
+/* H_k = sum_n W_n v_{k-n} is summed in two parts. The last `lags` velocities stand in a ring, and their W_n are stored.
+ * All earlier velocities are in the modes z, because for larger n (lobatto_weights.h)
+ *
+ *     W_n = sum_j q_j (1 - p_j)^(n-1) a_j a~_j^T */
 struct fvi_lobatto_history {
-    size_t s, d, steps, k;
-    size_t lags;       /* number of W_n that are stored */
+    size_t s, d;       /* number of stages, number of coordinates */
+    size_t steps, k;   /* largest number of v that may be pushed, and number of v so far */
+    size_t lags;       /* number of W_n that are stored, without W_0 */
     size_t Q;          /* number of modes, rounded up to a multiple of LANES */
-    double *q, *p, *a; /* Q numbers each; a has s rows, Q numbers apart */
+    double *q, *p, *a; /* of each mode; a has s rows of Q numbers. q includes the factor (1 - p)^FVI_LAGS */
     double *z;         /* Q modes for each coordinate */
     double *W;         /* W_0 row by row, and W_1, ..., W_lags column by column */
     double *past;      /* a ring of the last `lags` v of each coordinate */
     int by_order;      /* nonzero if there are derivatives by beta: */
-    double *r, *R;     /* derivatives of q and of W */
+    double *q_rate, *W_rate; /* the derivatives of q and of W by beta */
 };
 
-static size_t padded(size_t n)
+/* Return n, rounded up to a multiple of LANES. */
+static size_t round_up_to_lanes(size_t n)
 {
     return (n + LANES - 1) / LANES * LANES;
 }
 
-/* For beta = 0 and beta = -1 the sums need no history, but their derivatives by beta do. */
+/* Return nonzero if the sums, or with by_order their derivatives by beta, need a history. For beta = 0 and beta = -1
+ * the sums need none, but their derivatives do. */
 static int has_history(double beta, int by_order)
 {
     return by_order || (beta != 0 && beta != -1);
 }
 
-/* Return 1 if all W_n are stored, and 0 if modes represent most of them. */
+/* Return 1 if all W_n are stored, and 0 if modes represent most_numbers of them. */
 static int is_direct(double beta, size_t steps, fvi_history_kind kind, int by_order)
 {
-    const int few = kind == FVI_HISTORY_AUTO && steps <= MOST_DIRECT_STEPS;
-    return (few || kind == FVI_HISTORY_DIRECT) && has_history(beta, by_order);
+    const int has_few_steps = kind == FVI_HISTORY_AUTO && steps <= MOST_DIRECT_STEPS;
+    return (has_few_steps || kind == FVI_HISTORY_DIRECT) && has_history(beta, by_order);
 }
 
-static int check(size_t s, double beta, size_t d, size_t steps,
+static int check_arguments(size_t s, double beta, size_t d, size_t steps,
                  fvi_history_kind kind, int by_order, double tolerance)
 {
     if (!fvi_lobatto(s))
@@ -54,8 +64,8 @@ static int check(size_t s, double beta, size_t d, size_t steps,
     if (!(tolerance >= 0 && tolerance < 1))
         FVI_FAIL("tolerance must be in [0, 1)", FVI_EDOM);
     const int direct = is_direct(beta, steps, kind, by_order);
-    const size_t most = SIZE_MAX / sizeof(double) / 1024;
-    if (d > most || (direct && steps > most / d))
+    const size_t most_numbers = SIZE_MAX / sizeof(double) / 1024; /* 1024 > the numbers for each step and coordinate */
+    if (d > most_numbers || (direct && steps > most_numbers / d))
         FVI_FAIL("steps and d must be addressable", FVI_EINVAL);
     if (!direct && has_history(beta, by_order) && tolerance > 0
         && tolerance < 1e-14)
@@ -63,16 +73,18 @@ static int check(size_t s, double beta, size_t d, size_t steps,
     return FVI_SUCCESS;
 }
 
-/* Compute the number of modes and of stored W_n. The arguments have been checked. */
-static void plan(size_t s, double beta, size_t steps, fvi_history_kind kind,
-                 int by_order, double keep, size_t *Q, size_t *lags)
+/* Compute the number Q of modes and the number of stored W_n. The arguments have been checked. */
+static void choose_sizes(size_t s, double beta, size_t steps, fvi_history_kind kind,
+                 int by_order, double tolerance_used, size_t *Q, size_t *lags)
 {
     const int direct = is_direct(beta, steps, kind, by_order);
     const double N = (double)steps + 1;
     *lags = direct ? steps : FVI_LAGS;
-    *Q = direct     ? 0
-         : by_order ? padded(fvi_lobatto_nodes(s, beta, N, keep, 1, NULL, NULL, NULL, NULL, 0))
-                    : padded(fvi_lobatto_few_nodes(s, beta, N, keep, NULL, NULL, NULL, 0));
+    *Q = 0;
+    if (!direct && by_order)
+        *Q = round_up_to_lanes(fvi_lobatto_nodes(s, beta, N, tolerance_used, 1, NULL, NULL, NULL, NULL, 0));
+    else if (!direct)
+        *Q = round_up_to_lanes(fvi_lobatto_few_nodes(s, beta, N, tolerance_used, NULL, NULL, NULL, 0));
 }
 
 /* Return the tolerance, or the default for 0. */
@@ -85,19 +97,21 @@ double fvi_lobatto_history_bytes(size_t s, double beta, size_t d, size_t steps,
                                 fvi_history_kind kind, double tolerance)
 {
     size_t Q, lags;
-    if (check(s, beta, d, steps, kind, 0, tolerance))
+    if (check_arguments(s, beta, d, steps, kind, 0, tolerance))
         return 0;
-    plan(s, beta, steps, kind, 0, effective_tolerance(tolerance), &Q, &lags);
+    choose_sizes(s, beta, steps, kind, 0, effective_tolerance(tolerance), &Q, &lags);
+    /* `ring` numbers for W_1, ..., W_lags and the last v; the other numbers for q, p, a, z and W_0 */
     const double ring = (double)lags * (double)(s * (s + d)),
                  rest = (double)(2 + s + d) * (double)Q + (double)(s * s);
     return sizeof(double) * LANES * ceil((ring + rest) / LANES) + sizeof(fvi_lobatto_history);
 }
 
+/* Return how many numbers all arrays of a history have together, rounded up. */
 static size_t count_numbers(const fvi_lobatto_history *m)
 {
-    const size_t rates = m->by_order ? 1 : 0;
-    return padded((2 + m->s + m->d + rates) * m->Q
-                  + (1 + rates) * (m->lags + 1) * m->s * m->s + m->lags * m->s * m->d);
+    const size_t derivatives = m->by_order ? 1 : 0;
+    return round_up_to_lanes((2 + m->s + m->d + derivatives) * m->Q
+                  + (1 + derivatives) * (m->lags + 1) * m->s * m->s + m->lags * m->s * m->d);
 }
 
 /* Allocate a history of these sizes with all numbers zero. Return NULL if memory is short. The modes begin at a cache
@@ -120,8 +134,8 @@ static fvi_lobatto_history *make_history(fvi_lobatto_history sizes)
     m->z = m->a + m->s * m->Q;
     m->W = m->z + m->d * m->Q;
     m->past = m->W + (m->lags + 1) * m->s * m->s;
-    m->r = m->past + m->lags * m->s * m->d;
-    m->R = m->r + m->Q;
+    m->q_rate = m->past + m->lags * m->s * m->d;
+    m->W_rate = m->q_rate + m->Q;
     return m;
 }
 
@@ -141,48 +155,49 @@ static void transpose_near_weights(fvi_lobatto_history *m)
             for (size_t j = 0; j < i; j++) {
                 swap(&m->W[(n * s + i) * s + j], &m->W[(n * s + j) * s + i]);
                 if (m->by_order)
-                    swap(&m->R[(n * s + i) * s + j], &m->R[(n * s + j) * s + i]);
+                    swap(&m->W_rate[(n * s + i) * s + j], &m->W_rate[(n * s + j) * s + i]);
             }
 }
 
-/* Multiply q by FVI_LAGS powers of r = 1 - p, because the modes begin at lag FVI_LAGS + 1. */
+/* Multiply q by (1 - p)^FVI_LAGS, because the modes begin at lag FVI_LAGS + 1. */
 static void skip_near_lags(fvi_lobatto_history *m)
 {
     for (size_t j = 0; j < m->Q; j++)
         for (size_t l = 0; l < FVI_LAGS; l++) {
             m->q[j] -= m->p[j] * m->q[j];
             if (m->by_order)
-                m->r[j] -= m->p[j] * m->r[j];
+                m->q_rate[j] -= m->p[j] * m->q_rate[j];
         }
 }
 
-static int allocate(size_t s, double beta, size_t d, size_t steps,
+/* Allocate a history for the power Delta^beta. */
+static int allocate_for_power(size_t s, double beta, size_t d, size_t steps,
                     fvi_history_kind kind, int by_order, double tolerance,
                     fvi_lobatto_history **memory)
 {
     if (!memory)
         FVI_FAIL("null pointer", FVI_EFAULT);
-    int status = check(s, beta, d, steps, kind, by_order, tolerance);
+    int status = check_arguments(s, beta, d, steps, kind, by_order, tolerance);
     if (status)
         return status;
-    const double keep = effective_tolerance(tolerance), N = (double)steps + 1;
+    const double tolerance_used = effective_tolerance(tolerance), N = (double)steps + 1;
     size_t Q, lags;
-    plan(s, beta, steps, kind, by_order, keep, &Q, &lags);
+    choose_sizes(s, beta, steps, kind, by_order, tolerance_used, &Q, &lags);
     fvi_lobatto_history *m = make_history((fvi_lobatto_history){
         .s = s, .d = d, .steps = steps, .lags = lags, .Q = Q, .by_order = by_order });
     if (!m)
         FVI_FAIL("no memory for the history", FVI_ENOMEM);
     status =
-        fvi_lobatto_weights_by_order(s, beta, lags + 1, m->W, by_order ? m->R : NULL);
+        fvi_lobatto_weights_by_order(s, beta, lags + 1, m->W, by_order ? m->W_rate : NULL);
     if (status) {
         fvi_lobatto_history_free(m);
         return status;
     }
     transpose_near_weights(m);
     if (Q > 0 && by_order)
-        fvi_lobatto_nodes(s, beta, N, keep, 1, m->q, m->r, m->p, m->a, Q);
+        fvi_lobatto_nodes(s, beta, N, tolerance_used, 1, m->q, m->q_rate, m->p, m->a, Q);
     else if (Q > 0)
-        fvi_lobatto_few_nodes(s, beta, N, keep, m->q, m->p, m->a, Q);
+        fvi_lobatto_few_nodes(s, beta, N, tolerance_used, m->q, m->p, m->a, Q);
     skip_near_lags(m);
     *memory = m;
     return FVI_SUCCESS;
@@ -192,14 +207,61 @@ int fvi_lobatto_history_alloc(size_t s, double beta, size_t d, size_t steps,
                              fvi_history_kind kind, double tolerance,
                              fvi_lobatto_history **memory)
 {
-    return allocate(s, beta, d, steps, kind, 0, tolerance, memory);
+    return allocate_for_power(s, beta, d, steps, kind, 0, tolerance, memory);
 }
 
 int fvi_lobatto_history_alloc_by_order(size_t s, double beta, size_t d, size_t steps,
                                   fvi_history_kind kind, double tolerance,
                                   fvi_lobatto_history **memory)
 {
-    return allocate(s, beta, d, steps, kind, 1, tolerance, memory);
+    return allocate_for_power(s, beta, d, steps, kind, 1, tolerance, memory);
+}
+
+/* Allocate a history for a law that has been prepared. */
+static int allocate_for_law(size_t s, const fvi_lobatto_kernel *ready, size_t d, size_t steps,
+                            fvi_history_kind kind, double tolerance,
+                            fvi_lobatto_history **memory)
+{
+    if (!ready->has_nodes && kind == FVI_HISTORY_AUTO)
+        kind = FVI_HISTORY_DIRECT;
+    int status = check_arguments(s, BETA_OF_LAW, d, steps, kind, 0, tolerance);
+    if (status)
+        return status;
+    if (!ready->has_nodes && kind == FVI_HISTORY_MODES)
+        FVI_FAIL("there are no modes for this law", FVI_EUNSUP);
+    const double N = (double)steps + 1, tolerance_used = effective_tolerance(tolerance);
+    const int direct = is_direct(BETA_OF_LAW, steps, kind, 0);
+    size_t count = 0;
+    double *nodes = NULL; /* q, then mu */
+    if (!direct)
+        status = fvi_lobatto_kernel_few_nodes(s, ready, N, tolerance_used, &count, &nodes);
+    if (status == FVI_EUNSUP)
+        FVI_FAIL("there are no modes for this law", FVI_EUNSUP);
+    if (status)
+        return status;
+    fvi_lobatto_history *m =
+        make_history((fvi_lobatto_history){ .s = s,
+                                            .d = d,
+                                            .steps = steps,
+                                            .lags = direct && steps > FVI_LAGS ? steps : FVI_LAGS,
+                                            .Q = round_up_to_lanes(count) });
+    if (m && count > 0) {
+        memcpy(m->q, nodes, count * sizeof *nodes);
+        memcpy(m->p, nodes + count, count * sizeof *nodes);
+        fvi_lobatto_solve_nodes(s, count, m->p, m->a, m->Q);
+    }
+    free(nodes);
+    if (!m)
+        FVI_FAIL("no memory for the history", FVI_ENOMEM);
+    skip_near_lags(m);
+    status = fvi_lobatto_kernel_weights(s, ready, m->lags + 1, m->W);
+    if (status) {
+        fvi_lobatto_history_free(m);
+        return status;
+    }
+    transpose_near_weights(m);
+    *memory = m;
+    return FVI_SUCCESS;
 }
 
 int fvi_lobatto_history_of_kernel(size_t s, const fvi_kernel *law, double h, size_t d,
@@ -210,55 +272,9 @@ int fvi_lobatto_history_of_kernel(size_t s, const fvi_kernel *law, double h, siz
     int status = fvi_lobatto_kernel_prepare(s, law, h, &ready);
     if (status)
         return status;
-    if (!ready.has_nodes && kind == FVI_HISTORY_AUTO)
-        kind = FVI_HISTORY_DIRECT;
-    status = check(s, -0.5, d, steps, kind, 0, tolerance);
-    const int without =
-        !status && !ready.has_nodes && kind == FVI_HISTORY_MODES;
-    if (status || without) {
-        fvi_lobatto_kernel_free(&ready);
-        if (without)
-            FVI_FAIL("there are no modes for this law", FVI_EUNSUP);
-        return status;
-    }
-    const double N = (double)steps + 1, keep = effective_tolerance(tolerance);
-    const int direct = is_direct(-0.5, steps, kind, 0);
-    size_t count = 0;
-    double *nodes = NULL;
-    if (!direct)
-        status = fvi_lobatto_kernel_few_nodes(s, &ready, N, keep, &count, &nodes);
-    if (status) {
-        fvi_lobatto_kernel_free(&ready);
-        if (status == FVI_EUNSUP)
-            FVI_FAIL("there are no modes for this law", FVI_EUNSUP);
-        return status;
-    }
-    fvi_lobatto_history *m =
-        make_history((fvi_lobatto_history){ .s = s,
-                                            .d = d,
-                                            .steps = steps,
-                                            .lags = direct && steps > FVI_LAGS ? steps : FVI_LAGS,
-                                            .Q = padded(count) });
-    if (m && count > 0) {
-        memcpy(m->q, nodes, count * sizeof *nodes);
-        memcpy(m->p, nodes + count, count * sizeof *nodes);
-        fvi_lobatto_solve_nodes(s, count, m->p, m->a, m->Q);
-    }
-    free(nodes);
-    if (!m) {
-        fvi_lobatto_kernel_free(&ready);
-        FVI_FAIL("no memory for the history", FVI_ENOMEM);
-    }
-    skip_near_lags(m);
-    status = fvi_lobatto_kernel_weights(s, &ready, m->lags + 1, m->W);
+    status = allocate_for_law(s, &ready, d, steps, kind, tolerance, memory);
     fvi_lobatto_kernel_free(&ready);
-    if (status) {
-        fvi_lobatto_history_free(m);
-        return status;
-    }
-    transpose_near_weights(m);
-    *memory = m;
-    return FVI_SUCCESS;
+    return status;
 }
 
 int fvi_lobatto_history_copy(const fvi_lobatto_history *from,
@@ -307,7 +323,7 @@ const double *fvi_lobatto_history_now(const fvi_lobatto_history *m)
 
 const double *fvi_lobatto_history_now_by_order(const fvi_lobatto_history *m)
 {
-    return m->R;
+    return m->W_rate;
 }
 
 int fvi_lobatto_history_push(fvi_lobatto_history *m, const double *v, double *H)
@@ -327,14 +343,15 @@ int fvi_lobatto_history_push_by_order(fvi_lobatto_history *m, const double *v,
         FVI_FAIL("the memory is full", FVI_EINVAL);
     const size_t s = m->s, k = ++m->k, lags = m->lags;
     const double *b = fvi_lobatto(s)->b;
-    for (size_t i = 0; i < m->d; i++, v += s, H += s) {
+    for (size_t i = 0; i < m->d; i++, v += s, H += s) { /* for each coordinate */
         double *past = m->past + i * lags * s, *z = m->z + i * m->Q,
-               *place = past + (k - 1) % lags * s, u[FVI_STAGES] = { 0 },
+               *slot = past + (k - 1) % lags * s, u[FVI_STAGES] = { 0 },
                sum[FVI_STAGES] = { 0 };
-        /* v_{k-1-lags} leaves the ring and enters the modes as u = P B v */
+        /* v_{k-1-lags} leaves the ring and enters the modes as u, its stages backwards, each times its weight. v_{k-1}
+         * takes its place in the ring. */
         for (size_t l = 0; l < s; l++) {
-            u[s - 1 - l] = b[l] * place[l];
-            place[l] = v[l];
+            u[s - 1 - l] = b[l] * slot[l];
+            slot[l] = v[l];
         }
         fvi_lobatto_add_near(s, lags, k, m->W, past, sum);
         if (m->Q > 0)
@@ -343,8 +360,8 @@ int fvi_lobatto_history_push_by_order(fvi_lobatto_history *m, const double *v,
         if (!Hdot)
             continue;
         memset(sum, 0, sizeof sum);
-        fvi_lobatto_add_near(s, lags, k, m->R, past, sum);
-        fvi_lobatto_read_modes(s, m->Q, m->r, m->a, z, sum);
+        fvi_lobatto_add_near(s, lags, k, m->W_rate, past, sum);
+        fvi_lobatto_read_modes(s, m->Q, m->q_rate, m->a, z, sum);
         memcpy(Hdot + i * s, sum, s * sizeof *H);
     }
     return FVI_SUCCESS;
