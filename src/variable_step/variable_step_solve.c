@@ -2,6 +2,11 @@
  *
  *     L delta = R - h grad U(base + h to_x delta)                          (22.14)
  *
+ * The unknowns delta are the changes of the velocity since the start of the step, at each stage. L and to_x act on the
+ * stages of one coordinate, grad U acts on the coordinates of one stage. Stage i of coordinate j stands at [j *
+ * FVI_LANES + i], but in point, gradient and hessian at [i * d + j]. A vector of stages is two fvi_four, for up to
+ * eight stages; the numbers behind the last stage have no meaning.
+ *
  * The solver depends on U:
  *
  *   linear    grad U is linear and the coordinates are not coupled. No iteration is needed (variable_step_linear.c)
@@ -25,25 +30,25 @@
 /* Compute base + h to_x delta at all stages, to o->point. */
 FVI_VECTORS static void find_stage_points(const fvi_variable_step_state *o)
 {
-    const size_t d = o->d, s = o->rule->s;
+    const size_t d = o->d, stages = o->rule->s;
     const double h = o->length.h;
     for (size_t j = 0; j < d; j++) {
         const double *delta = o->delta + j * FVI_LANES;
         fvi_four move[2] = { { 0 }, { 0 } };
         const fvi_four *base = (const fvi_four *)(o->base + j * FVI_LANES);
-        for (size_t l = 0; l < s; l++) {
+        for (size_t l = 0; l < stages; l++) {
             const fvi_four *column = (const fvi_four *)o->to_x->column[l];
             move[0] += column[0] * delta[l];
             move[1] += column[1] * delta[l];
         }
         move[0] = base[0] + h * move[0];
         move[1] = base[1] + h * move[1];
-        for (size_t i = 0; i < s; i++)
+        for (size_t i = 0; i < stages; i++)
             o->point[i * d + j] = ((const double *)move)[i];
     }
 }
 
-/* Compute grad U at o->point, to o->gradient. */
+/* Compute the positions of all stages, to o->point, and grad U there, to o->gradient. */
 static int evaluate_gradients(fvi_stepper *s, fvi_variable_step_state *o)
 {
     const fvi_potential *u = &s->run.system->potential;
@@ -56,34 +61,36 @@ static int evaluate_gradients(fvi_stepper *s, fvi_variable_step_state *o)
     return status;
 }
 
-/* Compute left = R - h grad U of coordinate j. The numbers behind the s-th have no meaning. */
+/* Compute the right-hand side R - h grad U of coordinate j. A rule has six or eight stages. */
 static inline __attribute__((always_inline)) void
-find_residual(const fvi_variable_step_state *o, size_t j, fvi_four *left)
+evaluate_right_side(const fvi_variable_step_state *o, size_t j, fvi_four *right)
 {
     const size_t d = o->d;
-    const int eight = o->rule->s == 8;
+    const int has_eight_stages = o->rule->s == 8;
     const double h = o->length.h, *g = o->gradient + j, *g4 = g + 4 * d;
     const fvi_four *R = (const fvi_four *)(o->R + j * FVI_LANES);
-    left[0] = R[0] - h * (fvi_four){ g[0], g[d], g[2 * d], g[3 * d] };
-    left[1] = R[1]
+    right[0] = R[0] - h * (fvi_four){ g[0], g[d], g[2 * d], g[3 * d] };
+    right[1] = R[1]
               - h
-                    * (fvi_four){ g4[0], g4[d], eight ? g4[2 * d] : 0,
-                                  eight ? g4[3 * d] : 0 };
+                    * (fvi_four){ g4[0], g4[d], has_eight_stages ? g4[2 * d] : 0,
+                                  has_eight_stages ? g4[3 * d] : 0 };
 }
 
-/* Replace each number of most by the larger of it and |x|. */
+/* Replace each number of *most by the larger of it and |x|. Without its sign bit, x is |x|. A comparison of vectors
+ * gives a mask: all bits where it holds, else none. A NaN of x is not taken over. */
 typedef long long bits __attribute__((vector_size(32), aligned(8), may_alias));
 static inline __attribute__((always_inline)) void update_largest(fvi_four *most,
                                                                  const fvi_four *x)
 {
     const bits size = *(const bits *)x & 0x7fffffffffffffff,
-               is = (fvi_four)size > *most;
-    *most = (fvi_four)((size & is) | (*(bits *)most & ~is));
+               is_larger = (fvi_four)size > *most;
+    *most = (fvi_four)((size & is_larger) | (*(bits *)most & ~is_larger));
 }
 
-/* Return the largest of four numbers, or NaN if a term of the sum `all` was not finite. */
+/* Return the largest of four numbers, or NaN if a term of the sums `all` was not finite. Then a sum is NaN or infinite,
+ * and 0 times it is NaN. */
 static inline __attribute__((always_inline)) double
-largest(const fvi_four *most, const fvi_four *all)
+largest_or_nan(const fvi_four *most, const fvi_four *all)
 {
     const double *sum = (const double *)all, *size = (const double *)most;
     double x = 0 * ((sum[0] + sum[1]) + (sum[2] + sum[3]));
@@ -94,50 +101,54 @@ largest(const fvi_four *most, const fvi_four *all)
 
 /* ---- when to stop ---- */
 
-/* Decide whether the iteration goes on: return 1 to go on, 0 if x is accurate enough, -1 if the iteration does not
- * contract. The last change moved x by `moved` = h |change of delta|, the change before by moved_before. With
- * q = contraction, the changes still to come move x by moved q / (1 - q). Enough is 1e-5 of the error that the step may
- * have, or 1e-3 of it if the tolerance is loose; or a rounding error. */
+typedef enum { DIVERGES = -1, IS_ACCURATE = 0, GOES_ON = 1 } verdict;
+
+/* Decide whether the iteration goes on. The last change moved x by `moved` = h |change of delta|, the change before by
+ * moved_before. Their ratio q is the contraction. The changes still to come move x by moved q / (1 - q). Enough is 1e-5
+ * of the error that the step may have, or 1e-3 of it if the tolerance is loose; or a rounding error. The iteration
+ * diverges if q > worst_contraction, unless `moved` is near the rounding errors, which do not contract. */
 //> enough
-static int judge_iteration(fvi_variable_step_state *o, int iteration, double moved,
-                           double moved_before, double worst)
+static verdict judge_iteration(fvi_variable_step_state *o, int iteration, double moved,
+                           double moved_before, double worst_contraction)
 {
     const double floor = 4 * GSL_DBL_EPSILON * o->scale;
     if (moved <= floor)
-        return 0;
+        return IS_ACCURATE;
     if (iteration > 0) {
         o->contraction = moved / moved_before;
-        if (o->contraction > worst)
-            return moved <= 64 * floor ? 0
-                                       : -1; /* rounding errors do not contract */
+        if (o->contraction > worst_contraction)
+            return moved <= 64 * floor ? IS_ACCURATE : DIVERGES;
     }
     const double q = o->contraction, part = o->tolerance > FVI_TOLERANCE_LOOSE ? 1e-3 : 1e-5;
     const double enough = part * o->allowed;
-    return moved * q / (1 - q) > (enough > floor ? enough : floor);
+    return moved * q / (1 - q) > (enough > floor ? enough : floor) ? GOES_ON : IS_ACCURATE;
 }
 //< enough
 
-/* How a nonlinear equation is solved: with one Jacobian for each stage and coordinate, with one Hessian for all stages,
- * or without derivatives. */
-typedef enum { NEWTON, ONE_HESSIAN, FIXED_POINT } iteration_kind;
+/* How a nonlinear equation is solved. The comment at the top says when. */
+typedef enum {
+    NEWTON,      /* "diagonal": with the Hessian of every stage, and one Jacobian for each coordinate */
+    ONE_HESSIAN, /* "band": with the Hessian of the middle stage for all stages */
+    FIXED_POINT  /* "general": without derivatives */
+} iteration_kind;
 
 /* ---- coordinate by coordinate ---- */
 
 /* Compute J = L + h^2 diag(H) to_x for coordinate j, with the Hessians H of all stages. */
-FVI_VECTORS static void jacobian(const fvi_variable_step_state *o, size_t j,
+FVI_VECTORS static void compute_jacobian(const fvi_variable_step_state *o, size_t j,
                                  fvi_square *J)
 {
-    const size_t d = o->d, s = o->rule->s;
+    const size_t d = o->d, stages = o->rule->s;
     const double hh = o->length.h * o->length.h;
     const double *H0 = o->hessian + j, *H4 = H0 + 4 * d;
     const fvi_four H[2] = {
         hh * (fvi_four){ H0[0], H0[d], H0[2 * d], H0[3 * d] },
         hh
-            * (fvi_four){ H4[0], H4[d], s == 8 ? H4[2 * d] : 0,
-                          s == 8 ? H4[3 * d] : 0 }
+            * (fvi_four){ H4[0], H4[d], stages == 8 ? H4[2 * d] : 0,
+                          stages == 8 ? H4[3 * d] : 0 }
     };
     *J = o->group[o->group_of[j]].L;
-    for (size_t l = 0; l < s; l++) {
+    for (size_t l = 0; l < stages; l++) {
         const fvi_four *column = (const fvi_four *)o->to_x->column[l];
         fvi_four *to = (fvi_four *)J->column[l];
         to[0] += H[0] * column[0];
@@ -146,7 +157,7 @@ FVI_VECTORS static void jacobian(const fvi_variable_step_state *o, size_t j,
 }
 
 /* Compute the inverses of all Jacobians at o->point, to o->jacobian. */
-static int jacobians(fvi_stepper *s, fvi_variable_step_state *o)
+static int invert_jacobians(fvi_stepper *s, fvi_variable_step_state *o)
 {
     const fvi_potential *u = &s->run.system->potential;
     const size_t d = o->d, stages = o->rule->s;
@@ -154,7 +165,7 @@ static int jacobians(fvi_stepper *s, fvi_variable_step_state *o)
     for (size_t i = 0; !status && i < stages; i++)
         status = u->hessian(d, o->point + i * d, u->params, o->hessian + i * d);
     for (size_t j = 0; !status && j < d; j++) {
-        jacobian(o, j, &o->jacobian[j]);
+        compute_jacobian(o, j, &o->jacobian[j]);
         status = fvi_square_invert(stages, &o->jacobian[j]);
     }
     return status;
@@ -171,63 +182,64 @@ static int factorise_middle(fvi_stepper *s, fvi_variable_step_state *o)
     return status;
 }
 
-/* Compute M in, for s numbers. */
+/* Compute out = M in for the stages of one coordinate. */
 static inline __attribute__((always_inline)) void
-multiply_stages(size_t s, const fvi_square *M, const double *in, fvi_four *out)
+multiply(size_t stages, const fvi_square *M, const double *in, fvi_four *out)
 {
     out[0] = out[1] = (fvi_four){ 0 };
-    for (size_t l = 0; l < s; l++) {
+    for (size_t l = 0; l < stages; l++) {
         const fvi_four *column = (const fvi_four *)M->column[l];
         out[0] += column[0] * in[l];
         out[1] += column[1] * in[l];
     }
 }
 
-/* Correct delta of all coordinates: delta_j += M (left - L delta_j), or, for M = NULL, delta_j = L^{-1} left. Return
- * the largest change, or NaN if a change is not finite. */
-FVI_VECTORS static double correct(fvi_variable_step_state *o, const fvi_square *M)
+/* Correct delta of all coordinates, with the right-hand side `right` of each. If M is NULL, delta_j = L^{-1} right.
+ * Else delta_j += M_j (right - L delta_j), where M_j is the inverse Jacobian of coordinate j. Return the largest
+ * change, or NaN if a change is not finite. */
+FVI_VECTORS static double correct_by_matrices(fvi_variable_step_state *o, const fvi_square *M)
 {
-    const size_t s = o->rule->s;
+    const size_t stages = o->rule->s;
     fvi_four most = { 0 }, all = { 0 };
     for (size_t j = 0; j < o->d; j++) {
         const fvi_coordinate_group *group = &o->group[o->group_of[j]];
-        fvi_four left[2], by[2],
+        fvi_four right[2], by[2],
             *delta = (fvi_four *)(o->delta + j * FVI_LANES);
-        find_residual(o, j, left);
+        evaluate_right_side(o, j, right);
         if (M) {
-            multiply_stages(s, &group->L, (const double *)delta, by);
-            left[0] -= by[0];
-            left[1] -= by[1];
+            multiply(stages, &group->L, (const double *)delta, by);
+            right[0] -= by[0];
+            right[1] -= by[1];
         }
-        multiply_stages(s, M ? M + j : &group->inverse, (const double *)left, by);
+        multiply(stages, M ? M + j : &group->inverse, (const double *)right, by);
         for (size_t i = 0; i < 2; i++) {
             if (!M)
-                by[i] -= delta[i];
+                by[i] -= delta[i]; /* the change, from the new delta */
             delta[i] += by[i];
             update_largest(&most, &by[i]);
             all += by[i];
         }
     }
-    return largest(&most, &all);
+    return largest_or_nan(&most, &all);
 }
 
 /* Compute the residuals eps = R - h grad U - L delta of all coordinates. */
-FVI_VECTORS static void residuals(const fvi_variable_step_state *o, double *eps)
+FVI_VECTORS static void compute_residuals(const fvi_variable_step_state *o, double *eps)
 {
     for (size_t j = 0; j < o->d; j++) {
         const size_t at = j * FVI_LANES;
         const fvi_square *L = &o->group[o->group_of[j]].L;
-        fvi_four *left = (fvi_four *)(eps + at), low, high;
-        find_residual(o, j, left);
-        low = left[0];
-        high = left[1];
+        fvi_four *of_j = (fvi_four *)(eps + at), low, high;
+        evaluate_right_side(o, j, of_j);
+        low = of_j[0];
+        high = of_j[1];
         for (size_t l = 0; l < o->rule->s; l++) {
             const fvi_four *column = (const fvi_four *)L->column[l];
             low -= column[0] * o->delta[at + l];
             high -= column[1] * o->delta[at + l];
         }
-        left[0] = low;
-        left[1] = high;
+        of_j[0] = low;
+        of_j[1] = high;
     }
 }
 
@@ -241,42 +253,43 @@ FVI_VECTORS static double apply_correction(fvi_variable_step_state *o, const dou
         update_largest(&most, &change);
         all += change;
     }
-    return largest(&most, &all);
+    return largest_or_nan(&most, &all);
 }
 
-/* Compute the next delta, and return the largest change. With a band, eps takes the room of accel_legendre, which is
- * computed later. */
-static double correct_all(fvi_variable_step_state *o, iteration_kind by)
+/* Compute the next delta, and return the largest change, or NaN. With a band, the residuals stand in the room of
+ * accel_legendre, which is computed later. */
+static double correct_by(fvi_variable_step_state *o, iteration_kind by)
 {
     if (by != ONE_HESSIAN)
-        return correct(o, by == NEWTON ? o->jacobian : NULL);
-    residuals(o, o->accel_legendre);
+        return correct_by_matrices(o, by == NEWTON ? o->jacobian : NULL);
+    compute_residuals(o, o->accel_legendre);
     fvi_variable_step_band_solve(o->band, o->accel_legendre);
     return apply_correction(o, o->accel_legendre);
 }
 
 //> newton
 /* Iterate by Newton's method. Its Jacobian is computed again if the last iteration contracted badly. FIXED_POINT has L
- * in place of the Jacobian. */
-static int iterate(fvi_stepper *s, fvi_variable_step_state *o, iteration_kind by, double worst,
-                   int most)
+ * in place of the Jacobian. Return FVI_SUCCESS; FVI_EMAXITER if the iteration diverges or is not accurate after
+ * most_iterations; FVI_ESING; or the code of a callback. */
+static int iterate(fvi_stepper *s, fvi_variable_step_state *o, iteration_kind by, double worst_contraction,
+                   int most_iterations)
 {
     const double badly = by == NEWTON && o->tolerance <= FVI_TOLERANCE_VERY_LOOSE ? 0.05 : 0.3;
     double moved_before = 0;
     o->contraction = 0.5; /* until it is known */
-    for (int i = 0; i < most; i++) {
+    for (int i = 0; i < most_iterations; i++) {
         int status = evaluate_gradients(s, o);
         const int anew = i == 0 || (i > 1 && o->contraction > badly);
         if (!status && anew && by != FIXED_POINT)
-            status = by == NEWTON ? jacobians(s, o) : factorise_middle(s, o);
+            status = by == NEWTON ? invert_jacobians(s, o) : factorise_middle(s, o);
         if (status)
             return status;
-        const double moved = o->length.h * correct_all(o, by);
+        const double moved = o->length.h * correct_by(o, by);
         if (!isfinite(moved))
             return FVI_EMAXITER;
-        const int go_on = judge_iteration(o, i, moved, moved_before, worst);
-        if (go_on <= 0)
-            return go_on < 0 ? FVI_EMAXITER : FVI_SUCCESS;
+        const verdict next = judge_iteration(o, i, moved, moved_before, worst_contraction);
+        if (next != GOES_ON)
+            return next == DIVERGES ? FVI_EMAXITER : FVI_SUCCESS;
         moved_before = moved;
     }
     return FVI_EMAXITER;
@@ -285,10 +298,12 @@ static int iterate(fvi_stepper *s, fvi_variable_step_state *o, iteration_kind by
 
 /* ---- all stages and coordinates together ---- */
 
-/* Prepare the solver for d = X - x_k in place of delta: d + h to_x L^{-1} h grad U(x_k + d) = r. */
+/* Prepare s->newton for the unknowns X - x_k, the positions of all stages relative to the last node, in place of delta:
+ *
+ *     (X - x_k) + h to_x L^{-1} h grad U(X) = r,   r = base - x_k + h to_x L^{-1} R */
 static int prepare_coupled(fvi_stepper *s, fvi_variable_step_state *o)
 {
-    const size_t n = o->rule->s, d = o->d;
+    const size_t n = o->rule->s, d = o->d; /* n stages */
     const double hh = o->length.h * o->length.h;
     double *coupling = malloc(d * n * n * sizeof *coupling);
     if (!coupling)
@@ -310,39 +325,41 @@ static int prepare_coupled(fvi_stepper *s, fvi_variable_step_state *o)
     return status;
 }
 
+/* Solve by Newton's method for all stages and coordinates at once. Then compute delta from grad U. */
 static int solve_coupled(fvi_stepper *s, fvi_variable_step_state *o)
 {
-    const size_t n = o->rule->s, d = o->d;
+    const size_t n = o->rule->s, d = o->d; /* n stages */
     const double h = o->length.h;
     int status =
         o->coupled == h && s->newton ? FVI_SUCCESS : prepare_coupled(s, o);
     if (status)
         return status;
-    double *r = o->hessian, *X = o->point; /* ordered by stages */
+    double *r = o->hessian, *X = o->point; /* room for r; the unknowns X - x_k. Both are ordered by stages */
     for (size_t j = 0; j < d; j++) {
         double by_R[FVI_LANES], move[FVI_LANES];
         fvi_square_apply(n, &o->group[o->group_of[j]].inverse,
                          o->R + j * FVI_LANES, by_R);
         fvi_square_apply(n, o->to_x, by_R, move);
         for (size_t i = 0; i < n; i++) {
-            const double far = o->base[j * FVI_LANES + i] - o->y[j];
-            r[i * d + j] = far + h * move[i];
-            X[i * d + j] = far;
+            const double base_move = o->base[j * FVI_LANES + i] - o->y[j];
+            r[i * d + j] = base_move + h * move[i];
+            X[i * d + j] = base_move;
         }
     }
     status = fvi_newton_solve(s->newton, o->y, r, X, o->gradient);
     for (size_t j = 0; !status && j < d; j++) {
-        fvi_four left[2];
-        find_residual(o, j, left);
+        fvi_four right[2];
+        evaluate_right_side(o, j, right);
         fvi_square_apply(n, &o->group[o->group_of[j]].inverse,
-                         (const double *)left, o->delta + j * FVI_LANES);
+                         (const double *)right, o->delta + j * FVI_LANES);
     }
     return status;
 }
 
 /* ---- the choice ---- */
 
-/* Solve by Newton's method if there is a band or the coordinates are not coupled, else by the fixed-point iteration. */
+/* Solve by Newton's method if there is a band or the coordinates are not coupled, else by the fixed-point iteration.
+ * The last two arguments are the worst contraction and the most iterations. */
 static int solve_by_iterations(fvi_stepper *s, fvi_variable_step_state *o)
 {
     if (o->band)
@@ -354,7 +371,7 @@ static int solve_by_iterations(fvi_stepper *s, fvi_variable_step_state *o)
 
 int fvi_variable_step_solve(fvi_stepper *s, fvi_variable_step_state *o)
 {
-    int status = FVI_EMAXITER;
+    int status = FVI_EMAXITER; /* until an iteration has been tried */
     if (o->solve == FVI_SOLVE_LINEAR)
         return fvi_variable_step_solve_linear(s, o);
     if (o->solve == FVI_SOLVE_TOGETHER) {
