@@ -20,6 +20,7 @@ int fvi_typed_columns_start(const fvi_column_source *source,
     return FVI_SUCCESS;
 }
 
+/* Free what a column owns, but not the column itself. */
 static void free_column(fvi_typed_column *column)
 {
     free(column->name);
@@ -43,7 +44,8 @@ void fvi_typed_columns_free(fvi_typed_columns *c)
 
 /* ---- words ---- */
 
-static int is_of_name(char letter)
+/* Return nonzero if the character may stand in the name of a quantity, such as d1.force. */
+static int is_name_character(char letter)
 {
     return isalnum((unsigned char)letter) || letter == '_' || letter == '.';
 }
@@ -52,12 +54,12 @@ static int is_of_name(char letter)
 static int is_one_word(const char *text, size_t length)
 {
     for (size_t n = 0; n < length; n++)
-        if (!is_of_name(text[n]))
+        if (!is_name_character(text[n]))
             return 0;
     return length > 0 && !isdigit((unsigned char)*text) && *text != '.';
 }
 
-/* Check that the name of a column is new. */
+/* Check that a column may have this name: it is no coordinate, function, parameter, quantity or other column. */
 static int check_name(const char *field, const char *name,
                       const fvi_user_parameters *parameters,
                       const fvi_typed_columns *c, fvi_error *error)
@@ -78,7 +80,8 @@ static int check_name(const char *field, const char *name,
     return FVI_SUCCESS;
 }
 
-static int parse_text(const char *field, const char *text,
+/* Parse the expression of a column. A single word that means several numbers is refused. */
+static int parse_column_expression(const char *field, const char *text,
                       fvi_user_parameters *parameters, fvi_typed_columns *c,
                       fvi_expression **e, fvi_error *error)
 {
@@ -116,12 +119,12 @@ int fvi_column_item(const char *field, const char *text, size_t length,
     const char *begin = equals ? equals + 1 : text;
     char *right = fvi_trimmed_copy(begin, length - (size_t)(begin - text)),
          *name = fvi_trimmed_copy(text, equals ? (size_t)(equals - text) : length);
-    *column = (fvi_typed_column){ name, NULL, equals != NULL };
+    *column = (fvi_typed_column){ .name = name, .is_given = equals != NULL };
     int status = right && name ? FVI_SUCCESS : fvi_no_memory(error, NULL);
     if (!status && equals)
         status = check_name(field, name, parameters, c, error);
     if (!status)
-        status = parse_text(field, right, parameters, c, &column->expression,
+        status = parse_column_expression(field, right, parameters, c, &column->expression,
                             error);
     free(right);
     if (status) {
@@ -131,12 +134,13 @@ int fvi_column_item(const char *field, const char *text, size_t length,
     return status;
 }
 
+/* Append a column, which c owns from then on; on error it is freed. `list` is the whole list, for the message. */
 static int add_column(fvi_typed_columns *c, fvi_typed_column column,
-                      const char *text, fvi_error *error)
+                      const char *list, fvi_error *error)
 {
     for (size_t i = 0; i < c->columns; i++)
         if (strcmp(c->column[i].name, column.name) == 0) {
-            fvi_refuse(error, "columns", "'%s' names %s twice", text, column.name);
+            fvi_refuse(error, "columns", "'%s' names %s twice", list, column.name);
             free_column(&column);
             return FVI_EINVAL;
         }
@@ -151,45 +155,47 @@ static int add_column(fvi_typed_columns *c, fvi_typed_column column,
     return FVI_SUCCESS;
 }
 
-/* Add the columns x1, x2, ... for x; only those that are shown. */
-static int add_all(const char *word, size_t length, fvi_quantity q,
-                   const char *text, fvi_typed_columns *c, fvi_error *error)
+/* Add a column for each number that a word means, as x1, x2, ... for x. If the user has chosen coordinates to be shown,
+ * add only those. A name of more than 90 letters is cut. */
+static int add_all_coordinates(const char *word, size_t length, fvi_quantity q,
+                   const char *list, fvi_typed_columns *c, fvi_error *error)
 {
-    const int chosen =
+    const int are_chosen =
         c->source->shown && q.kind != QUANTITY_MULTIPLIER
         && fvi_column_width(c, &q) == c->source->d;
     const size_t width =
-        chosen ? c->source->shown_count : fvi_column_width(c, &q);
+        are_chosen ? c->source->shown_count : fvi_column_width(c, &q);
     int status = FVI_SUCCESS;
     for (size_t n = 0; n < width && !status; n++) {
         char name[120];
         fvi_typed_column column;
         snprintf(name, sizeof name, "%.*s%zu", length < 90 ? (int)length : 90,
-                 word, 1 + (chosen ? c->source->shown[n] : n));
+                 word, 1 + (are_chosen ? c->source->shown[n] : n));
         status = fvi_column_item("columns", name, strlen(name), NULL, c,
                                  &column, error);
         if (!status)
-            status = add_column(c, column, text, error);
+            status = add_column(c, column, list, error);
     }
     return status;
 }
 
-static int parse_item(const char *at, size_t length, const char *text,
+/* Add the columns of one item of the list: of a word, or of "NAME=EXPRESSION". */
+static int add_item(const char *item, size_t length, const char *list,
                       fvi_user_parameters *parameters, fvi_typed_columns *c,
                       fvi_error *error)
 {
     fvi_quantity q;
     fvi_typed_column column;
     int is_all;
-    if (is_one_word(at, length)) {
-        if (!fvi_column_find(c, at, length, &q, &is_all))
-            return fvi_column_unknown(c, at, length, error);
+    if (is_one_word(item, length)) {
+        if (!fvi_column_find(c, item, length, &q, &is_all))
+            return fvi_column_unknown(c, item, length, error);
         if (is_all)
-            return add_all(at, length, q, text, c, error);
+            return add_all_coordinates(item, length, q, list, c, error);
     }
     const int status =
-        fvi_column_item("columns", at, length, parameters, c, &column, error);
-    return status ? status : add_column(c, column, text, error);
+        fvi_column_item("columns", item, length, parameters, c, &column, error);
+    return status ? status : add_column(c, column, list, error);
 }
 
 int fvi_parse_columns(const char *text, fvi_user_parameters *parameters,
@@ -198,10 +204,11 @@ int fvi_parse_columns(const char *text, fvi_user_parameters *parameters,
     int status = FVI_SUCCESS;
     if (!text || !c)
         return fvi_fail(error, FVI_EFAULT, "columns", NAN, "null pointer");
-    for (const char *at = text; at && !status;) {
-        const size_t length = fvi_list_item(at);
-        status = parse_item(at, length, text, parameters, c, error);
-        at = at[length] ? at + length + 1 : NULL;
+    const char *item = text;
+    while (item && !status) {
+        const size_t length = fvi_list_item(item);
+        status = add_item(item, length, text, parameters, c, error);
+        item = item[length] ? item + length + 1 : NULL;
     }
     return status;
 }
@@ -210,6 +217,7 @@ int fvi_parse_columns(const char *text, fvi_user_parameters *parameters,
 
 unsigned fvi_typed_columns_wanted(const fvi_typed_columns *c)
 {
+    /* what an observer must compute; 0 for the other kinds, which a stepper has. The balance comes with the work */
     static const unsigned of_kind[] = {
         [QUANTITY_V] = FVI_OBSERVE_VELOCITY,
         [QUANTITY_A] = FVI_OBSERVE_ACCELERATION,
@@ -231,14 +239,16 @@ unsigned fvi_typed_columns_wanted(const fvi_typed_columns *c)
     return wanted;
 }
 
-static int ground_at(const fvi_typed_columns *c, double t, double *value)
+/* Compute the acceleration of the ground at t, or 0 without one. Return FVI_SUCCESS or the code of the ground. */
+static int evaluate_ground(const fvi_typed_columns *c, double t, double *value)
 {
-    const fvi_force *g = c->source->ground;
+    const fvi_force *ground = c->source->ground;
     *value = 0;
-    return g->value ? g->value(t, 1, g->params, value) : FVI_SUCCESS;
+    return ground->value ? ground->value(t, 1, ground->params, value) : FVI_SUCCESS;
 }
 
-static double sum_works(const fvi_typed_columns *c,
+/* Return the work of all dampers. Without a mechanism there is one. */
+static double sum_damper_work(const fvi_typed_columns *c,
                         const fvi_observation *now)
 {
     const size_t dampers =
@@ -249,17 +259,19 @@ static double sum_works(const fvi_typed_columns *c,
     return sum;
 }
 
-/* Return the position of a damper's force, which comes after the forces of the dampers before it. */
-static size_t index_of_force(const fvi_typed_columns *c, fvi_quantity q)
+/* Return where force i of damper j stands among the forces of all dampers. */
+static size_t force_index(const fvi_typed_columns *c, fvi_quantity q)
 {
-    size_t place = q.i;
-    for (fvi_quantity before = q; before.j-- > 0;)
-        place += fvi_column_width(c, &before);
-    return place;
+    size_t index = q.i;
+    for (size_t j = 0; j < q.j; j++) {
+        const fvi_quantity of_damper = { .kind = q.kind, .j = j, .i = q.i };
+        index += fvi_column_width(c, &of_damper);
+    }
+    return index;
 }
 
 /* Return how often event i has happened, or the time of the last one. A lift-off does not count. */
-static double value_of_event(const fvi_observation *now, fvi_quantity q)
+static double event_value(const fvi_observation *now, fvi_quantity q)
 {
     double count = 0, last = 0;
     for (size_t n = 0; n < now->events; n++)
@@ -272,7 +284,7 @@ static double value_of_event(const fvi_observation *now, fvi_quantity q)
 
 /* Return the value of a quantity, except of the ground and of another column: the ground may fail, and a column has its
  * value only after it has been computed. */
-static double value_of(const fvi_typed_columns *c, fvi_quantity q, const fvi_observation *now)
+static double quantity_value(const fvi_typed_columns *c, fvi_quantity q, const fvi_observation *now)
 {
     switch (q.kind) {
     case QUANTITY_TIME:
@@ -290,13 +302,13 @@ static double value_of(const fvi_typed_columns *c, fvi_quantity q, const fvi_obs
     case QUANTITY_ENERGY:
         return now->energy;
     case QUANTITY_WORK:
-        return sum_works(c, now);
+        return sum_damper_work(c, now);
     case QUANTITY_BALANCE:
         return now->balance;
     case QUANTITY_FORCE:
-        return now->force[index_of_force(c, q)];
+        return now->force[force_index(c, q)];
     case QUANTITY_IMPULSE:
-        return now->impulse[index_of_force(c, q)];
+        return now->impulse[force_index(c, q)];
     case QUANTITY_DAMPER_WORK:
         return now->work[q.j];
     case QUANTITY_MULTIPLIER:
@@ -307,7 +319,7 @@ static double value_of(const fvi_typed_columns *c, fvi_quantity q, const fvi_obs
         return now->contact ? now->contact[q.i] : 0;
     case QUANTITY_EVENT_COUNT:
     case QUANTITY_EVENT_LAST:
-        return value_of_event(now, q);
+        return event_value(now, q);
     case QUANTITY_GROUND:
     case QUANTITY_COLUMN:
         break;
@@ -322,9 +334,9 @@ int fvi_typed_columns_values(fvi_typed_columns *c, const fvi_observation *now,
     for (size_t n = 0; n < c->quantities && !status; n++) {
         const fvi_quantity q = c->quantity[n];
         if (q.kind == QUANTITY_GROUND)
-            status = ground_at(c, now->t, &c->value[n]);
+            status = evaluate_ground(c, now->t, &c->value[n]);
         else if (q.kind != QUANTITY_COLUMN) /* filled in below, when its column is computed */
-            c->value[n] = value_of(c, q, now);
+            c->value[n] = quantity_value(c, q, now);
     }
     for (size_t i = 0; i < c->columns && !status; i++) {
         row[i] = fvi_expression_value(c->column[i].expression, c->value);

@@ -26,7 +26,8 @@ typedef enum {
     QUANTITY_COLUMN /* column i, which has a name of its own */
 } fvi_quantity_kind;
 
-/* One number: that of coordinate i, or of force i of damper j. */
+/* One number of a kind: that of coordinate, constraint, event or column i, or of force i of damper j. All indices count
+ * from 0. */
 typedef struct {
     fvi_quantity_kind kind;
     size_t j, i;
@@ -65,11 +66,11 @@ typedef struct {
 } fvi_reduction;
 
 struct fvi_typed_columns {
-    const fvi_column_source *source;
-    size_t quantities, columns, reductions;
-    fvi_quantity *quantity;
-    double *value; /* value of each quantity, at the row that was read last */
-    fvi_typed_column *column;
+    const fvi_column_source *source; /* what the columns are about; owned by the caller */
+    size_t quantities, columns, reductions; /* how many there are of the next arrays */
+    fvi_quantity *quantity;      /* those that an expression contains, each once */
+    double *value;               /* value of each quantity, at the row that was read last */
+    fvi_typed_column *column;    /* in the order of the table */
     fvi_reduction *reduction;
 };
 
