@@ -1,4 +1,7 @@
-/* src/observer/observer.c -- The steps of an observer: it adds up impulses and work along a run. */
+/* src/observer/observer.c -- Add up impulses and work along a run.
+ *
+ * In steps of one length each step is added when it has been taken. In steps that the method chooses, the last step is
+ * added before the next one, because a row may lie within it. An impulse of the force at a node is called a hit. */
 #include "observer_state.h"
 
 #include "mechanism/mechanism_state.h"
@@ -22,8 +25,8 @@ int fvi_observer_velocity(const fvi_observer *o, const fvi_stepper *s,
 }
 
 /* Add the work of an impulse J on the momenta to *work: J times the mean of the velocities before and after it. s->p is
- * p after it. */
-static int work_of_hit(fvi_observer *o, const fvi_stepper *s, const double *J,
+ * p after it, so the mean belongs to the momentum p - J/2. o->a and o->v are used as room. */
+static int add_work_of_impulse(fvi_observer *o, const fvi_stepper *s, const double *J,
                        double *work)
 {
     int status = FVI_SUCCESS;
@@ -37,7 +40,8 @@ static int work_of_hit(fvi_observer *o, const fvi_stepper *s, const double *J,
 
 /* ---- steps of one length ---- */
 
-static void push_impulse(fvi_observer *o, const double *change)
+/* Add the increments of one step to the tracked sums, and keep them as the latest ones. */
+static void record_increments(fvi_observer *o, const double *change)
 {
     memmove(o->latest + o->tracked, o->latest,
             (o->degree - 1) * o->tracked * sizeof *o->latest);
@@ -46,37 +50,59 @@ static void push_impulse(fvi_observer *o, const double *change)
         o->impulse[j] += change[j];
 }
 
-/* For a mechanism: the stepper keeps the sums itself. */
-static int add_mechanism(fvi_observer *o, const fvi_stepper *s)
+/* Compute the increments of all tracked sums in the last step of a mechanism, to o->change: forces of dampers, then
+ * velocities, then multipliers of constraints. The stepper keeps these sums itself, so an increment is its sum minus
+ * ours. */
+static int compute_increments_of_mechanism(fvi_observer *o, const fvi_stepper *s)
 {
     int status = o->ramp ? fvi_observer_step_ramps(o, o->change) : FVI_SUCCESS;
     for (size_t j = 0; j < o->dampers && !status; j++) {
-        double J;
-        status = fvi_stepper_damper(s, j, &J, &o->work[j]);
-        o->change[j] = J + o->rate[j] * o->lead[j] - o->impulse[j];
+        double impulse;
+        status = fvi_stepper_damper(s, j, &impulse, &o->work[j]);
+        o->change[j] = impulse + o->rate[j] * o->lead[j] - o->impulse[j];
     }
     if (!status && o->by_velocity)
         status = fvi_observer_velocity(o, s, s->p, o->v);
-    for (size_t i = o->forces; i < o->forces + o->slopes; i++)
+    const size_t ties_begin = o->forces + o->slopes;
+    for (size_t i = o->forces; i < ties_begin; i++)
         o->change[i] = o->v[i - o->forces] - o->impulse[i];
-    for (size_t i = 0, at = o->forces + o->slopes; i < o->ties && !status; i++) {
-        double J;
-        status = fvi_stepper_tie(s, i, &J);
-        o->change[at + i] = J - o->impulse[at + i];
+    for (size_t i = 0; i < o->ties && !status; i++) {
+        double impulse;
+        status = fvi_stepper_tie(s, i, &impulse);
+        o->change[ties_begin + i] = impulse - o->impulse[ties_begin + i];
     }
+    return status;
+}
+
+/* Add the last step of a mechanism. */
+static int add_step_of_mechanism(fvi_observer *o, const fvi_stepper *s)
+{
+    int status = compute_increments_of_mechanism(o, s);
     if (!status && o->wanted & FVI_OBSERVE_WORK)
         status = fvi_observer_mechanism_work(s, &o->scalars[FVI_BY_FORCE]);
     if (!status && o->wanted & FVI_OBSERVE_WORK && s->run.system->force.impulse_count)
         status = fvi_mechanism_work_of_impulse(s, s->t, s->x, s->p, o->hit,
                                                &o->scalars[FVI_BY_FORCE]);
     if (!status)
-        push_impulse(o, o->change);
+        record_increments(o, o->change);
     if (!status && o->ramp && o->bends > 0 && s->k <= fvi_observer_first_rows(o)
-        && fvi_observer_bend(o, s) == FVI_ENOMEM) /* other codes: the correction is left out */
+        && fvi_observer_bend(o, s) == FVI_ENOMEM) /* after any other code the correction is left out */
         status = FVI_ENOMEM;
     return status;
 }
 
+/* Add what the leads of the dampers changed in the last step to o->change (observer_ramp.h). */
+static int add_leads(fvi_observer *o)
+{
+    double *const lead_change = o->force; /* room, a number for each damper */
+    const int status = o->ramp ? fvi_observer_step_ramps(o, lead_change) : FVI_SUCCESS;
+    for (size_t j = 0; o->ramp && j < o->dampers && !status; j++)
+        for (size_t i = j * o->d; i < (j + 1) * o->d; i++)
+            o->change[i] += o->rate[i] * lead_change[j];
+    return status;
+}
+
+/* Add the last step, of a run with steps of one length. */
 static int add_step(fvi_observer *o, const fvi_stepper *s)
 {
     fvi_step_sums sums = { .damper = o->change, .work = o->work_now };
@@ -85,24 +111,20 @@ static int add_step(fvi_observer *o, const fvi_stepper *s)
     if (force->impulse_count)
         fvi_impulses_add(force, s->run.h, s->k, o->d, o->hit);
     if (o->has_mechanism)
-        return add_mechanism(o, s);
+        return add_step_of_mechanism(o, s);
     int status = fvi_step_ends(s, &o->begin, o->hit, &sums);
     if (!status && force->impulse_count)
-        status = work_of_hit(o, s, o->hit, &sums.by_force);
+        status = add_work_of_impulse(o, s, o->hit, &sums.by_force);
     if (status)
         return status;
     if (!o->is_damped) {
         memset(o->change, 0, o->forces * sizeof *o->change);
         *sums.work = 0;
     }
-    if (o->ramp)
-        status = fvi_observer_step_ramps(o, o->force);
-    for (size_t j = 0; o->ramp && j < o->dampers && !status; j++)
-        for (size_t i = j * o->d; i < (j + 1) * o->d; i++)
-            o->change[i] += o->rate[i] * o->force[j];
+    status = add_leads(o);
     if (status)
         return status;
-    push_impulse(o, o->change);
+    record_increments(o, o->change);
     for (size_t j = 0; j < o->dampers; j++)
         o->work[j] += sums.work[j];
     o->scalars[FVI_BY_FORCE] += sums.by_force;
@@ -120,13 +142,14 @@ int fvi_observer_hits(fvi_observer *o, const fvi_stepper *s, double *known,
         const double *J = s->run.system->force.impulses[i].J;
         for (size_t j = 0; j < o->d; j++)
             known[j] += J[j];
-        status = work_of_hit(o, s, J, by_force);
+        status = add_work_of_impulse(o, s, J, by_force);
     }
     return status;
 }
 
-/* Extend `known` from the beginning of the last step to its end. */
-static int close_chosen_step(fvi_observer *o, const fvi_stepper *s)
+/* Add the last step to o->known and to the work of the force: the quadrature over the step, then the hits at its
+ * end. */
+static int add_last_chosen_step(fvi_observer *o, const fvi_stepper *s)
 {
     const fvi_variable_step_state *state = s->method_state;
     int status =
@@ -145,15 +168,17 @@ int fvi_observer_step(fvi_observer *o, fvi_stepper *s)
         FVI_FAIL("null pointer", FVI_EFAULT);
     if (!o->is_summed)
         return fvi_stepper_step(s);
-    if (s->method->dense && o->has_mechanism)
-        return fvi_stepper_step(s); /* the stepper keeps all sums */
-    int status = s->method->dense ? close_chosen_step(o, s)
-                                  : fvi_step_begins(s, &o->begin);
+    if (s->method->dense && o->has_mechanism) /* the stepper keeps all sums */
+        return fvi_stepper_step(s);
+    const int chooses_steps = s->method->dense != NULL;
+    int status = chooses_steps ? add_last_chosen_step(o, s) : fvi_step_begins(s, &o->begin);
     if (!status && o->on_structure)
         status = fvi_observer_close_structure(o, s);
     if (!status)
         status = fvi_stepper_step(s);
     if (!status && o->on_structure)
         status = fvi_observer_keep_structure(o, s);
-    return status || s->method->dense ? status : add_step(o, s);
+    if (!status && !chooses_steps)
+        status = add_step(o, s);
+    return status;
 }

@@ -28,7 +28,7 @@ struct fvi_observer {
     int has_mechanism;         /* the dampers have forces along elongations, one each */
     int by_velocity;           /* a is the slope of v: with a Lagrangian, constraints, forces of velocity or a mass of
                                   0 */
-    unsigned wanted;
+    unsigned wanted; /* what the user observes: FVI_OBSERVE_... (fvi/observer.h) */
     int is_summed;   /* the steps are summed */
     int is_damped;   /* otherwise all forces are 0 */
     int is_mass;     /* alpha = 1: the damping acts as a mass */
@@ -70,10 +70,10 @@ struct fvi_observer {
     fvi_ramp **ramp;    /* of each damper, NULL if it has none; or NULL */
     fvi_law_rows law_rows;
     fvi_short_rows short_rows;
-    double E0;
+    double E0; /* the energy at t = 0 */
     /* room */
-    fvi_step_begin begin;
-    double *hit, *change;
+    fvi_step_begin begin; /* the state before the step */
+    double *hit, *change; /* impulses of the force at a node, d numbers; increments of the tracked sums in one step */
     double *x, *p, *v, *a, *F, *g, *force, *impulse_now, *work_now, *contact;
 };
 
