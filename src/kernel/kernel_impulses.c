@@ -1,8 +1,8 @@
 /* src/kernel/kernel_impulses.c -- Compute the impulses of any kernel after a start with a velocity.    [H 26] */
 #include "kernel_impulses.h"
 
+#include "kernel_general.h"
 #include "kernel_impulses_state.h"
-#include "kernel_terms.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -76,21 +76,26 @@ static int find_poles(const fvi_kernel *law, fvi_impulses_of_kernel *o)
     return FVI_SUCCESS;
 }
 
-/* Find the pole of the derivative of a Zener element by its order or its time. The logarithm of the residue is (2
- * alpha + 1) ln s - ln(2 alpha) + a constant; it is differentiated, and so is the position of the pole. */
-static void find_pole_of_slope(const fvi_kernel_term *term, fvi_slope_by by,
-                               fvi_impulses_of_kernel *o)
+/* Find the pole of the derivative of a Zener element or of two springpots in series. The logarithm of the residue is
+ * (2 alpha + 1) ln s - ln(2 below) + a constant, and the pole is at ln s = (i pi - ln time) / (2 below). Both are
+ * differentiated. The order below is alpha or alpha - end. */
+static int find_pole_of_slope(const fvi_kernel_term *term, fvi_slope_by by,
+                              fvi_impulses_of_kernel *o)
 {
-    const double a = term->alpha;
-    const fvi_kernel_simple fraction = { 1, a, term->time, a };
-    if (term->kind != FVI_KERNEL_ZENER || by == FVI_SLOPE_BY_END || !has_pole(&fraction))
-        return;
-    add_pole(&fraction, o);
+    fvi_kernel_simple t;
+    if (!fvi_kernel_is_fraction(term, &t) || !has_pole(&t))
+        return FVI_SUCCESS;
+    if (term->kind != FVI_KERNEL_ZENER && term->kind != FVI_KERNEL_MAXWELL2)
+        FVI_FAIL("the derivatives of this law have a pole off the cut, which is not known", FVI_EUNSUP);
+    add_pole(&t, o);
     pole *p = o->pole;
     const double complex ln = clog(p->s);
-    p->moves = by == FVI_SLOPE_BY_ORDER ? -ln / a : -1 / (2 * a * term->time);
-    p->part = (2 * a + 1) * p->moves
-              + (by == FVI_SLOPE_BY_ORDER ? 2 * ln - 1 / a : 0);
+    p->moves = by == FVI_SLOPE_BY_TIME    ? -1 / (2 * t.below * t.time)
+               : by == FVI_SLOPE_BY_ORDER ? -ln / t.below
+                                          : ln / t.below;
+    p->part = (2 * t.alpha + 1) * p->moves
+              + (by == FVI_SLOPE_BY_ORDER ? 2 * ln - 1 / t.below : by == FVI_SLOPE_BY_END ? 1 / t.below : 0);
+    return FVI_SUCCESS;
 }
 
 /* ---- the rule ---- */
@@ -209,9 +214,7 @@ int fvi_impulses_of_slope_alloc(fvi_symbol_function *symbol, const fvi_kernel_te
                                 fvi_impulses_of_kernel **impulses)
 {
     const int status = make_impulses(symbol, term, h, impulses);
-    if (!status)
-        find_pole_of_slope(term, by, *impulses);
-    return status;
+    return status ? status : find_pole_of_slope(term, by, *impulses);
 }
 
 static double complex symbol_of_kernel(const void *law, double complex s)

@@ -21,10 +21,10 @@ typedef double complex fvi_symbol_function(const void *of, double complex s);
 /* fvi_impulses_of_kernel_alloc -- Allocate the impulses of a kernel for steps of length h. The kernel has passed
  * fvi_kernel_check, and it must outlive the impulses.
  * fvi_impulses_of_slope_alloc -- Allocate the impulses of the derivative of a kernel by its order, its time or its end.
- * The kernel is one term with rho = 1, and `symbol` is the derivative at s. A derivative by another number is allowed
- * if the symbol has no pole off the cut. The impulses point to the term, which must outlive them. Both functions return
- * FVI_SUCCESS or FVI_ENOMEM. The first one returns FVI_EUNSUP for a law with more than 64 poles off the cut. Free the
- * impulses with fvi_impulses_of_kernel_free. */
+ * The kernel is one term with rho = 1, and `symbol` is the derivative at s. The impulses point to the term, which must
+ * outlive them. Free them with fvi_impulses_of_kernel_free. Both functions return FVI_SUCCESS or FVI_ENOMEM; or
+ * FVI_EUNSUP, the first one for a law with more than 64 poles off the cut, the second one for a term with such a pole
+ * that is neither a ZENER nor a MAXWELL2. */
 int fvi_impulses_of_kernel_alloc(const fvi_kernel *law, double h,
                                  fvi_impulses_of_kernel **impulses);
 typedef enum {

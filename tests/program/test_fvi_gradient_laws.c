@@ -67,6 +67,32 @@ START_TEST(rows_of_a_law_are_differences_of_runs)
 }
 END_TEST
 
+/* Two springpots in series whose symbol has poles off the cut, and another law that grows faster than s: after a start with
+ * a velocity the impulses of the derivatives contain these poles. Central differences of order 4. */
+START_TEST(a_pair_with_poles_beside_a_law_of_high_order)
+{
+    static const char *const names[] = { "damping_1_rho1", "damping_1_alpha1", "damping_1_rho2", "damping_1_alpha2" },
+                            *const methods[] = { "--method fvi-stable", "--method fvi-bdf2" };
+    static const double at[] = { 0.5, 0.9, 1, 0.1 }, weight[] = { 1. / 12, -2. / 3, 2. / 3, -1. / 12 };
+    for (size_t m = 0; m < LEN(methods); m++)
+        for (size_t i = 0; i < LEN(at); i++) {
+            char options[300], line[400];
+            double slope = 0;
+            for (int k = 0; k < 4; k++) {
+                double n[LEN(at)];
+                for (size_t j = 0; j < LEN(at); j++)
+                    n[j] = at[j] + (j == i ? 1e-3 * (k - 2 + (k > 1)) : 0);
+                snprintf(options, sizeof options, "--damping 'maxwell2:%.17g,%.17g,%.17g,%.17g + power:0.2,0.8'", n[0], n[1],
+                         n[2], n[3]);
+                slope += weight[k] * last(options, "x", methods[m]) / 1e-3;
+            }
+            snprintf(line, sizeof line, "gradient %s --damping 'maxwell2:0.5,0.9,1,0.1 + power:0.2,0.8'", methods[m]);
+            ck_assert_int_eq(fvi(line), 0);
+            ck_assert_near(derivative(names[i]), slope, 1e-8, "%s by %s", names[i], methods[m]);
+        }
+}
+END_TEST
+
 /* havriliak:R,A,T,B by its four numbers, against central differences of runs whose law is a symbol. B = 1 is the end of
  * its range. Steps of any length have the derivative by R. */
 START_TEST(havriliak_has_rows_by_all_its_numbers)
@@ -265,7 +291,7 @@ int main(void)
     Suite *suite = suite_create("fvi gradient: laws of damping");
     ADD_CASE(suite, "answers", rows_of_a_law_are_differences_of_runs,
              rows_of_a_law_on_steps_of_any_length, two_springpots_in_series_have_rows,
-             havriliak_has_rows_by_all_its_numbers,
+             havriliak_has_rows_by_all_its_numbers, a_pair_with_poles_beside_a_law_of_high_order,
              two_springpots_in_series_have_no_row_by_half_a_number, the_parts_of_a_pair_keep_their_names,
              what_has_no_derivative_is_refused_by_its_name);
     return run_suite_of_program(suite);
