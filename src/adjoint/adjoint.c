@@ -281,8 +281,8 @@ static int walk(const fvi_method *method, fvi_checkpointing *path,
         status = begin(method, run, want, jumps, rows,
                        fvi_checkpointing_momentum(path), J + d, &m);
     size_t k = N;
-    if (!status && m.plain.is_alone) {
-        status = fvi_adjoint_multistep_walk_alone(&m.plain, path, objective, J);
+    if (!status && m.plain.walks_in_blocks) {
+        status = fvi_adjoint_multistep_walk_in_blocks(&m.plain, path, objective, J);
         k = 0;
     }
     while (!status && k-- > 0) {

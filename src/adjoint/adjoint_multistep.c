@@ -27,16 +27,18 @@ static int allocate(fvi_adjoint_multistep *m)
     return FVI_SUCCESS;
 }
 
-/* Start the adjoint run at node N, at rest at J_p. In Algorithm 3 its history begins at 0. In the other methods the
- * history is held at J_p, and m->constant has the part that this leaves out. */
+/* Start the adjoint run at node N, with lambda = J_p and the momentum 0. In Algorithm 3 its history begins at 0. In the
+ * other methods the history takes in lambda - J_p, and m->end_history has the part that this leaves out. The same holds
+ * for the jumps of lambda and m->jump_history. */
 static int start_stepper(fvi_adjoint_multistep *m, const fvi_method *method)
 {
     fvi_run back = *m->run;
-    const fvi_run_damper of = fvi_run_damper_of(m->run, 0);
-    int moves = 0;
+    const fvi_run_damper damper = fvi_run_damper_of(m->run, 0);
+    const int by_order = m->want->alpha != NULL;
+    int starts_off_zero = 0;
     m->linearised.G = m->has_hessian ? m->G : NULL;
     m->linearised.is_constant = m->is_quadratic;
-    m->linearised.by_order = m->want->alpha != NULL;
+    m->linearised.by_order = by_order;
     m->linearised.history_includes_undamped = m->is_damped;
     m->linearised.from_zero = m->paper_convention;
     m->system = fvi_linearised_system(m->run->system, &m->linearised);
@@ -50,19 +52,18 @@ static int start_stepper(fvi_adjoint_multistep *m, const fvi_method *method)
         return status;
     m->damping = fvi_damping_of(m->stepper);
     for (size_t i = 0; i < m->d; i++)
-        moves |= m->Jp[i] != 0;
-    if (m->damping && moves && !m->paper_convention)
-        status = fvi_constant_history_start(method, m->run, &of, 1, m->want->alpha != NULL,
-                                            &m->constant);
+        starts_off_zero |= m->Jp[i] != 0;
+    if (m->damping && starts_off_zero && !m->paper_convention)
+        status = fvi_constant_history_start(method, m->run, &damper, 1, by_order, &m->end_history);
     if (!status && m->damping && m->has_jumps)
-        status = fvi_constant_history_start(method, m->run, &of, m->d,
-                                            m->want->alpha != NULL, &m->jumped);
+        status = fvi_constant_history_start(method, m->run, &damper, m->d, by_order, &m->jump_history);
     return status;
 }
 
-static int start_initial_history(fvi_adjoint_multistep *m)
+/* Prepare the impulses by which the initial history of the run acts on the two ends of each step. */
+static int prepare_initial_impulses(fvi_adjoint_multistep *m)
 {
-    static const double ends[] = { 0, 1 };
+    static const double ends[] = { 0, 1 }; /* of a step */
     const fvi_run *run = m->run;
     const fvi_run_damper damper = fvi_run_damper_of(run, 0);
     m->has_initial_impulses =
@@ -74,11 +75,12 @@ static int start_initial_history(fvi_adjoint_multistep *m)
                                              &m->history_force, &m->impulse_size);
 }
 
+/* Fill in the sizes and flags of m. */
 static void describe_run(const fvi_method *method, const fvi_run *run,
                          fvi_adjoint_multistep *m)
 {
     const fvi_system *system = run->system;
-    const fvi_potential *u = &system->potential;
+    const fvi_potential *potential = &system->potential;
     m->d = m->r = system->d;
     m->scheme = method->scheme;
     m->paper_convention = method->scheme == FVI_SCHEME_FVI;
@@ -98,8 +100,8 @@ static void describe_run(const fvi_method *method, const fvi_run *run,
         .theta = m->theta
     };
     m->linearised = fvi_linearised_begin(system, 1);
-    m->has_hessian = !system->matrices && u->hessian;
-    m->is_quadratic = fvi_potential_is_quadratic(u);
+    m->has_hessian = !system->matrices && potential->hessian;
+    m->is_quadratic = fvi_potential_is_quadratic(potential);
     m->is_damped = m->want->damping != NULL;
     if (system->matrices) {
         m->r = system->matrices->history_size;
@@ -123,7 +125,7 @@ int fvi_adjoint_multistep_start(const fvi_method *method, const fvi_run *run,
     if (status)
         return status;
     memcpy(m->Jp, Jp, m->d * sizeof *Jp);
-    status = start_initial_history(m);
+    status = prepare_initial_impulses(m);
     if (!status && m->has_drift)
         status = fvi_damping_velocity(run->system, run->p0, m->v0);
     if (!status)
@@ -134,19 +136,19 @@ int fvi_adjoint_multistep_start(const fvi_method *method, const fvi_run *run,
         status = fvi_adjoint_multistep_first_sums(m, rows + m->d);
     if (status) /* there may be no stepper to ask below */
         return status;
-    m->is_alone = m->paper_convention && m->d == 1 && m->damping && m->terms == 0
-                  && !run->system->matrices && !has_jumps;
-    m->steps_alone = fvi_adjoint_multistep_can_step_alone(m);
-    m->inertia = m->is_alone ? *fvi_newton_diagonal(m->stepper->newton) : 0;
+    m->walks_in_blocks = m->paper_convention && m->d == 1 && m->damping && m->terms == 0
+                         && !run->system->matrices && !has_jumps;
+    m->steps_one_coordinate = fvi_adjoint_multistep_has_one_coordinate(m);
+    m->inertia = m->walks_in_blocks ? *fvi_newton_diagonal(m->stepper->newton) : 0;
     return FVI_SUCCESS;
 }
 
 void fvi_adjoint_multistep_free(fvi_adjoint_multistep *m)
 {
     fvi_stepper_free(m->stepper);
-    fvi_constant_history_stop(&m->constant);
+    fvi_constant_history_stop(&m->end_history);
     fvi_initial_history_force_stop(&m->history_force);
-    fvi_constant_history_stop(&m->jumped);
+    fvi_constant_history_stop(&m->jump_history);
     fvi_order_filter_stop(&m->filter);
     for (size_t i = 0; i < m->terms; i++)
         fvi_node_term_stop(&m->each[i]);
@@ -156,7 +158,8 @@ void fvi_adjoint_multistep_free(fvi_adjoint_multistep *m)
 
 /* ---- a step ---- */
 
-/* Add J_{k+1} to the momentum of the adjoint run, where it acts as an impulse. */
+/* Begin the step from node k + 1 to node k: add J_{k+1} to the momentum, where it acts as an impulse. Subtract the
+ * parts of the damping at node k + 1 that the history of the stepper leaves out. Jx is J_{k+1}, d numbers. */
 static int apply_slopes(fvi_adjoint_multistep *m, size_t k, const double *rows,
                         const double *Jx)
 {
@@ -167,9 +170,9 @@ static int apply_slopes(fvi_adjoint_multistep *m, size_t k, const double *rows,
         m->by_line[i] += t * Jx[i];
     }
     int status = FVI_SUCCESS;
-    if (m->constant.memory)
+    if (m->end_history.memory)
         status = fvi_adjoint_multistep_add_constant(m, k, rows + m->d);
-    return status || !m->jumped.memory
+    return status || !m->jump_history.memory
                ? status
                : fvi_adjoint_multistep_add_jumps(m, k + 1, rows + m->d);
 }
@@ -185,6 +188,7 @@ static int evaluate_hessian(fvi_adjoint_multistep *m, size_t k, const double *ro
                                            m->G);
 }
 
+/* Return a . b. It begins with the first product and not with 0, so that a sum of products -0 is -0. */
 static double dot(size_t d, const double *a, const double *b)
 {
     double sum = a[0] * b[0];
@@ -193,7 +197,8 @@ static double dot(size_t d, const double *a, const double *b)
     return sum;
 }
 
-/* Add the derivatives by the parameters of U; or by a factor of K, where stepper->g is K M_k. */
+/* Add the derivatives by the parameters of U in this step. With matrices add the derivative by a factor of K instead;
+ * stepper->g is K M_k. */
 static int accumulate_parameters(fvi_adjoint_multistep *m)
 {
     if (!m->run->system->matrices)
@@ -203,11 +208,11 @@ static int accumulate_parameters(fvi_adjoint_multistep *m)
     return FVI_SUCCESS;
 }
 
-/* Add the derivatives by the masses, or by a factor of M. */
+/* Add the derivatives by the masses, or by a factor of M, in this step. They lack the factor 1/h, see write_mass. */
 static int accumulate_mass(fvi_adjoint_multistep *m, const double *rows)
 {
     const fvi_matrices *matrices = m->run->system->matrices;
-    const double *left = m->stepper->x;
+    const double *left = m->stepper->x; /* lambda_k */
     const size_t d = m->d;
     int status = FVI_SUCCESS;
     if (!matrices)
@@ -223,7 +228,7 @@ static int accumulate_mass(fvi_adjoint_multistep *m, const double *rows)
     return status;
 }
 
-/* Add the derivatives by the terms of a law through the impulses of the past. */
+/* Add the derivatives by the numbers of a law's terms through the impulses of the initial history in step k. */
 static void accumulate_impulses_of_terms(fvi_adjoint_multistep *m, size_t k)
 {
     const double left = m->terms ? dot(m->d, m->CA, m->stepper->x) : 0,
@@ -232,11 +237,11 @@ static void accumulate_impulses_of_terms(fvi_adjoint_multistep *m, size_t k)
         fvi_node_term_accumulate_impulses(&m->each[l], k, left, right, m->want, l);
 }
 
-/* Add the derivatives by the force at the two ends of step k, and the products of the impulses of the past with
- * lambda. */
+/* Add the derivatives by the force at the two ends of step k, and the products of the impulses of the initial history
+ * with lambda. Algorithm 3 applies h F(t_{k+1}), the other methods half of it at each end. */
 static void accumulate_forces(fvi_adjoint_multistep *m, size_t k)
 {
-    const double *left = m->stepper->x, *right = m->right, h = m->run->h;
+    const double *left = m->stepper->x, *right = m->right, h = m->run->h; /* lambda_k and lambda_{k+1} */
     const size_t d = m->d;
     double *force = m->want->force ? m->want->force + k * d : NULL;
     for (size_t i = 0; force && i < d; i++) {
@@ -245,13 +250,13 @@ static void accumulate_forces(fvi_adjoint_multistep *m, size_t k)
     }
     if (!m->has_initial_impulses)
         return;
-    double at[2] = { 0 }, slope[2] = { 0 };
+    double impulse[2] = { 0 }, slope[2] = { 0 }; /* at the two ends; their derivatives by e */
     accumulate_impulses_of_terms(m, k);
-    fvi_initial_history_force_impulses(&m->history_force, k, at);
+    fvi_initial_history_force_impulses(&m->history_force, k, impulse);
     if (m->want->alpha)
         fvi_kernel_impulses_by_order(&m->history_force.initial_impulse, k, slope);
     for (size_t i = 0; i < d; i++) {
-        m->impulse_sum[i] += at[0] * left[i] + at[1] * right[i];
+        m->impulse_sum[i] += impulse[0] * left[i] + impulse[1] * right[i];
         m->impulse_sum_by_order[i] += slope[0] * left[i] + slope[1] * right[i];
     }
 }
@@ -261,13 +266,13 @@ int fvi_adjoint_multistep_step(fvi_adjoint_multistep *m, size_t k, const double 
                                const double *Jx)
 {
     fvi_stepper *s = m->stepper;
-    const double h = m->run->h, t = ((double)k + 1 - m->kappa) * h;
+    const double h = m->run->h, t = ((double)k + 1 - m->kappa) * h; /* the time of S */
     int status = evaluate_hessian(m, k, rows);
     if (!status)
         status = apply_slopes(m, k, rows, Jx);
     memcpy(m->right, s->x, m->d * sizeof *m->right);
     if (!status)
-        status = m->steps_alone ? fvi_adjoint_multistep_advance_alone(m)
+        status = m->steps_one_coordinate ? fvi_adjoint_multistep_step_one_coordinate(m)
                                 : fvi_stepper_step(s);
     for (size_t i = 0; i < m->d; i++) { /* s->g is G M_k */
         m->M[i] = m->right[i] + m->kappa * (s->x[i] - m->right[i]);
@@ -303,11 +308,11 @@ int fvi_adjoint_multistep_jump(fvi_adjoint_multistep *m, const double *Jp)
 
 /* ---- the end ---- */
 
-/* The derivative by x0. (23.17) A constant that is added to all x_k changes grad U, and the force of the past if its
- * amplitude A (19.3) is x0; it changes nothing else. In Algorithm 3 with Riemann-Liouville's past the history takes in
- * x0 itself. There the derivative is the momentum that arrives, without the part of lambda_0, which N_0 does not
- * contain. (23.6) */
-static int find_start_derivative(fvi_adjoint_multistep *m, const double *Jx)
+/* Complete the derivative by x0 in m->by_start. (23.17) A constant that is added to all x_k changes grad U, and the
+ * force of the past if its amplitude A (19.3) is x0; it changes nothing else. In Algorithm 3 with Riemann-Liouville's
+ * past the history takes in x0 itself. There the derivative is the momentum that arrives, without the part of lambda_0,
+ * which N_0 does not contain. (23.6) */
+static int finish_start_derivative(fvi_adjoint_multistep *m, const double *Jx)
 {
     const fvi_stepper *s = m->stepper;
     for (size_t i = 0; i < m->d; i++)
@@ -321,34 +326,37 @@ static int find_start_derivative(fvi_adjoint_multistep *m, const double *Jx)
                : FVI_SUCCESS;
 }
 
-/* The derivative by p0 minus lambda_0. If a line is subtracted from x for the history, adding the line x + t p/m
- * changes grad U only, and by (13.7) the force of the past. */
-static int find_momentum_derivative(fvi_adjoint_multistep *m, double *more)
+/* Write the derivative by p0, without its part lambda_0, to by_drift. It is 0 unless the line t p0/m is subtracted from
+ * x for the history. Then a line that is added to x and to this line changes grad U only, and by (13.7) the force of
+ * the past. */
+static int compute_drift_derivative(fvi_adjoint_multistep *m, double *by_drift)
 {
     const fvi_run *run = m->run;
     int status = FVI_SUCCESS;
-    memset(more, 0, m->d * sizeof *more);
+    memset(by_drift, 0, m->d * sizeof *by_drift);
     if (!m->has_drift || !m->damping)
         return status;
     if (m->has_initial_impulses)
         status = fvi_adjoint_multistep_apply_damping(m, m->impulse_size, m->impulse_sum,
                                                      m->by_line);
     if (!status)
-        status = fvi_damping_velocity(run->system, m->by_line, more);
+        status = fvi_damping_velocity(run->system, m->by_line, by_drift);
     for (size_t i = 0; i < m->d; i++)
-        more[i] += m->Jp[i] - m->stepper->x[i];
+        by_drift[i] += m->Jp[i] - m->stepper->x[i];
     return status;
 }
 
-static void write_mass(const fvi_adjoint_multistep *m, const double *more)
+/* Write the derivatives by the masses, or by a factor of M, if they are wanted. The drift depends on v0 = M^-1
+ * p0, too. */
+static void write_mass(const fvi_adjoint_multistep *m, const double *by_drift)
 {
     const fvi_run *run = m->run;
     double *mass = m->want->mass;
-    if (mass && run->system->matrices) /* because v0 = M^-1 p0 */
-        *mass = m->by_M / run->h - dot(m->d, run->p0, more);
+    if (mass && run->system->matrices)
+        *mass = m->by_M / run->h - dot(m->d, run->p0, by_drift);
     for (size_t i = 0; mass && !run->system->matrices && i < m->d; i++)
         mass[i] = m->kinetic[i] / run->h
-                  - more[i] * (run->p0[i] / run->system->mass[i]);
+                  - by_drift[i] * (run->p0[i] / run->system->mass[i]);
 }
 
 //> end
@@ -356,24 +364,24 @@ int fvi_adjoint_multistep_end(fvi_adjoint_multistep *m, const double *Jx)
 {
     const fvi_run *run = m->run;
     const fvi_sensitivities *want = m->want;
-    double *more = m->work;
-    int status = m->jumped.memory && m->paper_convention
+    double *by_drift = m->work;
+    int status = m->jump_history.memory && m->paper_convention
                      ? fvi_adjoint_multistep_add_jumps(m, 0, run->x0)
                      : FVI_SUCCESS;
     if (!status)
-        status = find_start_derivative(m, Jx);
+        status = finish_start_derivative(m, Jx);
     if (!status)
-        status = find_momentum_derivative(m, more);
+        status = compute_drift_derivative(m, by_drift);
     for (size_t i = 0; i < m->d; i++) {
-        const int has = m->paper_convention
-                        || fvi_initial_history_solvable(run->past, run->alpha,
-                                                        run->system->damping[i], 1);
+        const int exists = m->paper_convention /* a run with x0 != 0 has a solution (19.2) */
+                           || fvi_initial_history_solvable(run->past, run->alpha,
+                                                           run->system->damping[i], 1);
         if (want->x0)
-            want->x0[i] = has ? m->by_start[i] : NAN; /* (19.2) */
+            want->x0[i] = exists ? m->by_start[i] : NAN;
         if (want->p0)
-            want->p0[i] = m->stepper->x[i] + more[i];
+            want->p0[i] = m->stepper->x[i] + by_drift[i]; /* stepper->x is lambda_0 */
     }
-    write_mass(m, more);
+    write_mass(m, by_drift);
     if (want->parameters && run->system->matrices)
         *want->parameters = -run->h * m->by_K;
     if (!status && m->damping)

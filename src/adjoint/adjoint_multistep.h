@@ -15,54 +15,59 @@
 #include "parameter_derivatives/node_terms.h"
 #include "parameter_derivatives/order_filter.h"
 
-/* One adjoint run; "each" means that an array has d numbers. The history keeps r numbers; r = d without matrices. */
+/* One adjoint run. Its positions are lambda_k, which go from k = N to 0, and its history has the sum N_k (23.6) at node
+ * k. C is the damping matrix; without matrices it is diag(rho). "Each" means that an array has d numbers. */
 typedef struct {
-    const fvi_run *run;
-    const fvi_sensitivities *want;
-    size_t d, r;
+    const fvi_run *run;            /* the run that is differentiated */
+    const fvi_sensitivities *want; /* the derivatives that are wanted */
+    size_t d, r;                   /* number of unknowns; numbers in the history, r = d without matrices */
     fvi_scheme scheme;
-    int paper_convention;  /* Algorithm 3: the history of the adjoint run begins at 0 */
-    int is_liouville;      /* Algorithm 3 with Riemann and Liouville's past: z_j = x_j */
-    int has_drift;         /* the line t p0/m is subtracted from x for the history of the run */
-    int is_damped, has_initial_impulses, is_quadratic, has_hessian;
-    int steps_alone; /* one damped coordinate, by a method of order 2: see fvi_adjoint_multistep_advance_alone */
-    int is_alone;   /* one coordinate, by Algorithm 3, without terms of a law: see fvi_adjoint_multistep_walk_alone */
-    double inertia; /* m/h, if is_alone */
-    double kappa, theta;   /* of the method, or of the run; the shift of (23.7) */
-    fvi_linearised linearised;
+    int paper_convention;          /* Algorithm 3: the history of the adjoint run begins at 0 */
+    int is_liouville;              /* Algorithm 3 with Riemann and Liouville's past: z_j = x_j */
+    int has_drift;                 /* the line t p0/m is subtracted from x for the history of the run */
+    int is_damped;                 /* a damping is not 0, or its derivative is wanted */
+    int has_initial_impulses;      /* the initial history exerts a force, as impulses (19.5) */
+    int is_quadratic, has_hessian; /* U is quadratic; the system has no matrices, and U has a Hessian */
+    int steps_one_coordinate;      /* method of order 2: see fvi_adjoint_multistep_step_one_coordinate */
+    int walks_in_blocks;           /* Algorithm 3: see fvi_adjoint_multistep_walk_in_blocks */
+    double inertia;                /* m/h, if walks_in_blocks */
+    double kappa, theta;           /* kappa of the run, or 1/2 if the method has none; the shift of (23.7) */
+    double growth;                 /* 2 alpha, or the growth of the law */
+
+    /* the adjoint run */
+    fvi_linearised linearised;     /* the potential of its system: the Hessian of U along the run */
     fvi_system system;
     fvi_stepper *stepper;
-    const fvi_damping *damping; /* of the stepper; NULL: nothing is damped */
-    fvi_constant_history constant;
-    double growth; /* 2 alpha, or the growth of the law */
-    int has_jumps;               /* J depends on p_k, k < N, too */
-    fvi_constant_history jumped; /* then the history of B, the sum of the jumps of lambda */
-    fvi_initial_history_force history_force; /* the impulses of the past for an amplitude of 1 */
-    double impulse_size; /* h^(1 + e), the factor of these impulses; 0: the past exerts no force */
+    const fvi_damping *damping;    /* of the stepper; NULL: nothing is damped */
+    fvi_constant_history end_history;  /* methods of order 2: the history of the constant J_p (23.23) */
+    int has_jumps;                     /* J depends on p_k for k < N, too, so lambda jumps (23.27) */
+    fvi_constant_history jump_history; /* then the history of B */
+    fvi_initial_history_force history_force; /* the impulses of the initial history for an amplitude of 1 */
+    double impulse_size;           /* h^(1 + e), the factor of these impulses; 0: there are none */
 
-    double *Jp, *CJ;            /* each: J_p, C J_p; without matrices C is the unit matrix */
-    double *B, *jump, *CB;      /* each: the sum of all jumps so far, and the last jump; C times a sum of the history of
-                                   B */
-    double *v0;                 /* each: p0/m; 0 if it is not needed */
-    double *right;              /* each: lambda_{k+1} */
-    double *S, *M;              /* each: the point where G is taken; the multiplier there */
-    double *by_start, *by_line; /* each: the derivatives by a constant that is added to x, and by a line */
-    double *kinetic;            /* each: sum_k (x_{k+1}-x_k)(lambda_{k+1}-lambda_k) */
-    /* Each: impulses of the past times lambda, and the same with their derivatives by e. */
+    double *Jp, *CJ;               /* each: J_p with all jumps so far; C J_p, or without matrices J_p */
+    double *B, *jump;              /* each: the sum of all jumps so far; the last jump */
+    double *CB;                    /* each: C times a sum of the history of B */
+    double *v0;                    /* each: p0/m; 0 if it is not needed */
+    double *right;                 /* each: lambda_{k+1}; lambda_k stands in stepper->x */
+    double *S, *M;                 /* each: kappa x_k + (1 - kappa) x_{k+1}, where G is taken; the same for lambda */
+    double *by_start, *by_line;    /* each: derivatives by a constant that is added to all x_k, and by a line t */
+    double *kinetic;               /* each: sum_k (x_{k+1} - x_k) (lambda_{k+1} - lambda_k) */
+    /* Each: the sum over all impulses of the initial history times lambda; the same with their derivatives by e */
     double *impulse_sum, *impulse_sum_by_order;
-    double *z, *z_next;         /* each: z_k, z_{k+1} */
-    double *sum;                /* each: sum_j z_j N_j, without matrices */
-    double *work, *column;      /* each: room */
-    fvi_adjoint_multipliers multipliers; /* nu of (23.7), for a law */
-    double *CA; /* each: C A, if the past of a law has impulses */
-    double *N, *Ndot;           /* r each: room for sums, and for their derivatives by the order */
-    double *G;                  /* the Hessian of U at S, if has_hessian */
-    double *block; /* the memory of all these arrays; owned */
-    double sum_of_C, sum_by_order, sum_by_theta; /* sum_j z_j C N_j, and its derivatives */
-    double by_M, by_K;          /* sums for the derivatives by a factor of M, and of K */
-    fvi_order_filter filter; /* for the factor of the weights, if alpha is wanted */
-    size_t terms;           /* of a law, if derivatives by them are wanted */
-    fvi_node_term *each; /* their histories; owned */
+    double *z, *z_next;            /* each: z_k, z_{k+1}, what the history of the run takes in */
+    double *sum;                   /* each: sum_j z_j N_j, without matrices */
+    double *work, *column;         /* each: room */
+    fvi_adjoint_multipliers multipliers; /* nu of (23.7), for the histories of the terms of a law */
+    double *CA;                    /* each: C v0, if the initial history of a law has impulses */
+    double *N, *Ndot;              /* r each: room for sums, and for their derivatives by the order */
+    double *G;                     /* the Hessian of U at S, if has_hessian */
+    double *block;                 /* the memory of all these arrays; owned */
+    double sum_of_C, sum_by_order, sum_by_theta; /* sum_j z_j C N_j, and its derivatives by 2 alpha and by theta */
+    double by_M, by_K;             /* sums for the derivatives by a factor of M, and of K */
+    fvi_order_filter filter;       /* for the factor of the weights, if alpha is wanted */
+    size_t terms;                  /* of a law, if derivatives by their numbers are wanted; else 0 */
+    fvi_node_term *each;           /* their histories; owned */
 } fvi_adjoint_multistep;
 
 /* fvi_adjoint_multistep_start -- start at node N, where lambda_N = J_p.
@@ -97,18 +102,20 @@ int fvi_adjoint_multistep_end(fvi_adjoint_multistep *m, const double *Jx);
 
 void fvi_adjoint_multistep_free(fvi_adjoint_multistep *m);
 
-/* fvi_adjoint_multistep_walk_alone -- take all steps to node 0, if m->is_alone, in a third of the time.
+/* fvi_adjoint_multistep_walk_in_blocks -- take all steps to node 0, many at once, in a third of the time. For one
+ * damped coordinate by Algorithm 3 without derivatives by terms of a law: m->walks_in_blocks.
  *
  *   path  the rows of step N - 1 have been read
  *   Jx    in: dJ/dx_N; out: dJ/dx_0 */
-int fvi_adjoint_multistep_walk_alone(fvi_adjoint_multistep *m, fvi_checkpointing *path,
-                                     const fvi_objective *J, double *Jx);
+int fvi_adjoint_multistep_walk_in_blocks(fvi_adjoint_multistep *m, fvi_checkpointing *path,
+                                         const fvi_objective *J, double *Jx);
 
-/* fvi_adjoint_multistep_can_step_alone -- return nonzero if fvi_adjoint_multistep_advance_alone may be called.
- * fvi_adjoint_multistep_advance_alone -- take a step of the adjoint run as fvi_stepper_step does, if m->steps_alone. k
- * and t stay as they are, because nothing reads them there. */
-int fvi_adjoint_multistep_can_step_alone(const fvi_adjoint_multistep *m);
-int fvi_adjoint_multistep_advance_alone(fvi_adjoint_multistep *m);
+/* fvi_adjoint_multistep_has_one_coordinate -- return nonzero if a method of order 2 steps one damped coordinate, so
+ * that fvi_adjoint_multistep_step_one_coordinate may be called.
+ * fvi_adjoint_multistep_step_one_coordinate -- take a step of the adjoint run as fvi_stepper_step does. k and t of the
+ * stepper stay as they are, because nothing reads them there. */
+int fvi_adjoint_multistep_has_one_coordinate(const fvi_adjoint_multistep *m);
+int fvi_adjoint_multistep_step_one_coordinate(fvi_adjoint_multistep *m);
 
 /* The functions of adjoint_multistep_damping.c:
  *

@@ -168,8 +168,8 @@ static int walk_piece(fvi_adjoint_multistep *m, const fvi_objective *J, size_t f
     return status;
 }
 
-int fvi_adjoint_multistep_walk_alone(fvi_adjoint_multistep *m, fvi_checkpointing *path,
-                                     const fvi_objective *J, double *Jx)
+int fvi_adjoint_multistep_walk_in_blocks(fvi_adjoint_multistep *m, fvi_checkpointing *path,
+                                         const fvi_objective *J, double *Jx)
 {
     int status = FVI_SUCCESS;
     for (size_t k = m->run->steps, first; !status && k > 0; k = first) {
@@ -184,7 +184,7 @@ int fvi_adjoint_multistep_walk_alone(fvi_adjoint_multistep *m, fvi_checkpointing
 
 /* ---- the step of a method of order 2, (13.10) ---- */
 
-int fvi_adjoint_multistep_can_step_alone(const fvi_adjoint_multistep *m)
+int fvi_adjoint_multistep_has_one_coordinate(const fvi_adjoint_multistep *m)
 {
     const fvi_cq_state *o = m->stepper->method_state;
     return !m->paper_convention && m->d == 1 && m->damping && m->damping->covers_all
@@ -213,7 +213,7 @@ static int predict_history(const fvi_cq_damper *a, double z, double *ahead)
 }
 
 //> advance
-int fvi_adjoint_multistep_advance_alone(fvi_adjoint_multistep *m)
+int fvi_adjoint_multistep_step_one_coordinate(fvi_adjoint_multistep *m)
 {
     fvi_stepper *s = m->stepper;
     const fvi_newton *n = s->newton;

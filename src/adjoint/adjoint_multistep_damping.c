@@ -113,7 +113,7 @@ int fvi_adjoint_multistep_first_sums(fvi_adjoint_multistep *m, const double *x)
 /* Add the history of the constant J_p: subtract its force from the momentum, and multiply it by z_{k+1}. */
 int fvi_adjoint_multistep_add_constant(fvi_adjoint_multistep *m, size_t k, const double *x)
 {
-    fvi_constant_history *c = &m->constant;
+    fvi_constant_history *c = &m->end_history;
     const fvi_system *system = m->run->system;
     const double unit = m->damping->unit;
     static const double one = 1;
@@ -144,7 +144,7 @@ static int multiply_jumps(fvi_adjoint_multistep *m, const double *v, double *sum
 
 int fvi_adjoint_multistep_add_jumps(fvi_adjoint_multistep *m, size_t j, const double *x)
 {
-    fvi_constant_history *c = &m->jumped;
+    fvi_constant_history *c = &m->jump_history;
     int status = fvi_constant_history_next(c, m->B, m->jump);
     fvi_adjoint_multistep_elongation(m, j, x, m->z_next);
     if (!status && c->by_order)
@@ -245,7 +245,7 @@ int fvi_adjoint_multistep_end_damping(fvi_adjoint_multistep *m)
     const fvi_sensitivities *want = m->want;
     const double unit = m->damping->unit, log_h = log(run->h), size = m->impulse_size;
     double at = 0, rate = 0;
-    if (m->is_alone) { /* C is rho */
+    if (m->walks_in_blocks) { /* C is rho */
         m->sum_of_C = *run->system->damping * *m->sum;
         m->sum_by_order = *run->system->damping * m->sum_by_order;
     }
