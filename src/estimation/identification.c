@@ -46,7 +46,7 @@ static void set_start(search *o, const double *low, const double *high,
             theta = low[j] * pow(high[j] / low[j], share[j]);
         else
             theta = low[j] + (high[j] - low[j]) * share[j];
-        u[j] = fvi_estimation_model_free(m, j, theta);
+        u[j] = fvi_estimation_theta_to_u(m, j, theta);
     }
     memcpy(o->found[start].from, u, sizeof o->found[start].from);
 }
@@ -124,7 +124,7 @@ static int search_with_growing_windows(search *o, size_t *best)
         memcpy(at.from, at.u, sizeof at.from);
         for (size_t w = 0; w < sizeof windows / sizeof *windows; w++) {
             m->window = windows[w];
-            fvi_estimation_model_step(m, h);
+            fvi_estimation_model_set_step(m, h);
             o->fine = m->window < 1 ? LAST_STEP_OF_WINDOW : LAST_STEP_OF_SEARCH;
             fvi_estimation_minimise(o, &at, GSL_POSINF);
         }
@@ -157,8 +157,8 @@ static size_t count_agreeing_starts(const search *o, const place *best,
     for (size_t k = 0; k < m->fit->starts; k++) {
         int same = o->found[k].sum < GSL_POSINF;
         for (size_t j = 0; same && j < o->fdf.p; j++) {
-            const double here = fvi_estimation_model_bound(m, j, o->found[k].u[j]),
-                         there = fvi_estimation_model_bound(m, j, best->u[j]);
+            const double here = fvi_estimation_u_to_theta(m, j, o->found[k].u[j]),
+                         there = fvi_estimation_u_to_theta(m, j, best->u[j]);
             same = fabs(here - there)
                    <= fmax(fitted->sd[j] / 10, 1e-6 * size_of_parameter(o, j, there));
         }
@@ -172,7 +172,7 @@ static int is_far_from(const search *o, const double *u, const double *theta,
                             const double *sd)
 {
     for (size_t j = 0; j < o->fdf.p; j++)
-        if (fabs(fvi_estimation_model_bound(&o->model, j, u[j]) - theta[j]) > sd[j])
+        if (fabs(fvi_estimation_u_to_theta(&o->model, j, u[j]) - theta[j]) > sd[j])
             return 1;
     return 0;
 }
@@ -196,7 +196,7 @@ static void record_other_minima(search *o, fvi_estimate *fitted)
             is_new &= is_far_from(o, at->u, fitted->other[i], fitted->sd);
         for (size_t j = 0; is_new && j < o->fdf.p; j++)
             fitted->other[fitted->others][j] =
-                fvi_estimation_model_bound(&o->model, j, at->u[j]);
+                fvi_estimation_u_to_theta(&o->model, j, at->u[j]);
         fitted->others += is_new != 0;
     }
 }
@@ -223,7 +223,7 @@ static int compute_deviations(search *o, const place *at, fvi_estimate *fitted)
         return FVI_ESING;
     for (size_t j = 0; j < P; j++) {
         const double slope =
-            fabs(fvi_estimation_model_slope(m, j, fitted->estimate[j]));
+            fabs(fvi_estimation_slope_of_theta(m, j, fitted->estimate[j]));
         fitted->sd[j] *= deviation;
         if (fvi_estimation_kind_of(m->fit, j) != FVI_ESTIMATION_NUMBER
             && !(fitted->sd[j] < LARGEST_USEFUL_SD))
@@ -256,7 +256,7 @@ static int compute_statistics(search *o, const place *at, fvi_estimate *fitted)
     const double freedom = (double)(o->fdf.n - o->fdf.p);
     const int known = fvi_estimation_knows_sigma(m->fit), is_robust = m->fit->huber > 0;
     for (size_t j = 0; j < o->fdf.p; j++)
-        fitted->estimate[j] = fvi_estimation_model_bound(m, j, at->u[j]);
+        fitted->estimate[j] = fvi_estimation_u_to_theta(m, j, at->u[j]);
     fitted->neighbours = 0;
     if (at->sum > 0)
         fitted->neighbours = fvi_estimation_neighbours(m->fit, gsl_multifit_nlinear_residual(o->solver)) / at->sum;
@@ -282,7 +282,7 @@ static int halve_step_until_settled(search *o, place *best, fvi_estimate *fitted
     int status = FVI_SUCCESS, still_moves = 1;
     while (!status && still_moves && o->model.run.steps <= FVI_FIT_MOST_EQUAL_STEPS / 2) {
         const fvi_estimate before = *fitted;
-        fvi_estimation_model_step(&o->model, o->model.run.h / 2);
+        fvi_estimation_model_set_step(&o->model, o->model.run.h / 2);
         fvi_estimation_minimise(o, best, GSL_POSINF);
         if (!(best->sum < GSL_POSINF))
             return FVI_EMAXITER;
@@ -351,7 +351,7 @@ static int run_search(search *o, const double *low, const double *high,
     size_t first = 0;
     const double h = fit->h > 0 ? fit->h : fvi_estimation_first_step(fit),
                  last_time = fvi_estimation_last_time(fit);
-    fvi_estimation_model_step(&o->model, fmax(h, last_time / FVI_FIT_MOST_EQUAL_STEPS));
+    fvi_estimation_model_set_step(&o->model, fmax(h, last_time / FVI_FIT_MOST_EQUAL_STEPS));
     int status = search_from_all_starts(o, low, high, &first);
     if (status)
         return status;

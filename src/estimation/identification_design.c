@@ -27,7 +27,7 @@ static int plan_motion(const fvi_estimation *fit, double *motion, double *h)
         *h = fit->h > 0 ? fit->h : fvi_estimation_first_step(&still) / FINER;
         status = fvi_estimation_model_init(&model, &still, next);
         if (!status) {
-            fvi_estimation_model_step(&model, *h);
+            fvi_estimation_model_set_step(&model, *h);
             status = fvi_estimation_model_run(&model);
         }
         fvi_estimation_model_clear(&model);
@@ -51,12 +51,12 @@ static int plan_estimate(const fvi_estimation *fit, double h, fvi_estimate *plan
     *e = (fvi_examination){ .probability = { 1, 1, 1, 1, 0 }, .chi2 = GSL_POSINF };
     for (size_t j = 0; !status && j < P; j++) {
         planned->estimate[j] = fvi_estimation_model_get(&o.model, j);
-        u[j] = fvi_estimation_model_free(&o.model, j, planned->estimate[j]);
+        u[j] = fvi_estimation_theta_to_u(&o.model, j, planned->estimate[j]);
         if (!isfinite(u[j]))
             status = FVI_EDOM;
     }
     if (!status) {
-        fvi_estimation_model_step(&o.model, h);
+        fvi_estimation_model_set_step(&o.model, h);
         planned->h = o.model.run.h;
         status = fvi_estimation_predict_errors(&o, u, planned, e);
     }

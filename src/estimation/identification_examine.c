@@ -38,7 +38,7 @@ static void add_parameter_shifts(const fvi_estimation_model *m, const fvi_estima
         gsl_vector_const_view by = gsl_matrix_const_column(J, j);
         gsl_blas_ddot(&by.vector, column, &sum);
         sum *= size * fvi_estimation_model_unit(m, fitted) * fitted->sd[j]
-               / fvi_estimation_model_slope(m, j, fitted->estimate[j]);
+               / fvi_estimation_slope_of_theta(m, j, fitted->estimate[j]);
         for (size_t i = 0; i < P; i++)
             swayed[i] += fitted->correlation[i][j] * sum;
     }
@@ -148,11 +148,11 @@ static void tangent_intervals(const fvi_estimation_model *m, const fvi_estimate 
 {
     for (size_t j = 0; j < m->fit->parameters; j++) {
         const double theta = fitted->estimate[j],
-                     u = fvi_estimation_model_free(m, j, theta),
+                     u = fvi_estimation_theta_to_u(m, j, theta),
                      reach = fitted->quantile * fitted->sd[j]
-                             / fvi_estimation_model_slope(m, j, theta);
-        e->lower[j] = fvi_estimation_model_bound(m, j, u - reach);
-        e->upper[j] = fvi_estimation_model_bound(m, j, u + reach);
+                             / fvi_estimation_slope_of_theta(m, j, theta);
+        e->lower[j] = fvi_estimation_u_to_theta(m, j, u - reach);
+        e->upper[j] = fvi_estimation_u_to_theta(m, j, u + reach);
     }
 }
 
@@ -172,7 +172,7 @@ int fvi_estimation_predict_errors(fvi_estimation_work *o, const double *u, fvi_e
         status = fvi_estimation_errors(&J.matrix, planned->sd, planned->correlation);
     }
     for (size_t j = 0; j < P && !status; j++)
-        planned->sd[j] *= fvi_estimation_model_slope(&o->model, j, planned->estimate[j]);
+        planned->sd[j] *= fvi_estimation_slope_of_theta(&o->model, j, planned->estimate[j]);
     if (!status) {
         tangent_intervals(&o->model, planned, e);
         fill_unseen(&o->model, planned, &w.J.matrix, &w.room.matrix, &w.v.vector, e);
@@ -204,10 +204,10 @@ static void search_other_minima(fvi_estimation_work *o, const fvi_estimate *fitt
         fvi_estimation_slot at;
         double theta[FVI_ESTIMATION_MOST];
         for (size_t j = 0; j < P; j++)
-            at.u[j] = fvi_estimation_model_free(&o->model, j, fitted->other[i][j]);
+            at.u[j] = fvi_estimation_theta_to_u(&o->model, j, fitted->other[i][j]);
         fvi_estimation_minimise(o, &at, GSL_POSINF);
         for (size_t j = 0; j < P; j++)
-            theta[j] = fvi_estimation_model_bound(&o->model, j, at.u[j]);
+            theta[j] = fvi_estimation_u_to_theta(&o->model, j, at.u[j]);
         const double chi2 = at.sum * unit;
         if (chi2 < fitted->chi2 - LOWER * fmax(1, fitted->chi2))
             e->flags |= FVI_FLAG_BETTER;
@@ -278,11 +278,11 @@ static int examine(fvi_estimation_work *o, const fvi_estimate *fitted, fvi_exami
     double u[FVI_ESTIMATION_MOST], were[FVI_ESTIMATION_MOST];
     for (size_t j = 0; j < fit->parameters; j++) {
         were[j] = fvi_estimation_model_get(&o->model, j);
-        u[j] = fvi_estimation_model_free(&o->model, j, fitted->estimate[j]);
+        u[j] = fvi_estimation_theta_to_u(&o->model, j, fitted->estimate[j]);
     }
     o->fine = 1e-6;
     fvi_estimation_model_weigh(&o->model, fitted);
-    fvi_estimation_model_step(&o->model, fitted->h);
+    fvi_estimation_model_set_step(&o->model, fitted->h);
     int status = test_residuals(o, fitted, u, e);
     if (!status && !(e->probability[4] < least_probability[4])) {
         set_whole_ranges(fit, e);

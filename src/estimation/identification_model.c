@@ -124,7 +124,7 @@ void fvi_estimation_model_clear(fvi_estimation_model *m)
     free(m->laws.damper);
 }
 
-void fvi_estimation_model_step(fvi_estimation_model *m, double h)
+void fvi_estimation_model_set_step(fvi_estimation_model *m, double h)
 {
     const fvi_record first = fvi_estimation_record(m->fit, 0);
     const double T = first.t[fvi_estimation_model_rows(m, first.n) - 1];

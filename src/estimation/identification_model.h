@@ -87,16 +87,16 @@ int fvi_free_parameter_is_of_law(fvi_free_parameter which);
 const fvi_kernel *fvi_estimation_law(const fvi_run *run, size_t index);
 
 /* Set the step: equal steps no longer than h that end at the last compared time of record 0. */
-void fvi_estimation_model_step(fvi_estimation_model *m, double h);
+void fvi_estimation_model_set_step(fvi_estimation_model *m, double h);
 
 /* Return the present value of parameter j; set it. */
 double fvi_estimation_model_get(const fvi_estimation_model *m, size_t j);
 void fvi_estimation_model_set(fvi_estimation_model *m, size_t j, double theta);
 
 /* Convert theta to u, and u to theta; return d theta / d u at theta, for parameter j. */
-double fvi_estimation_model_free(const fvi_estimation_model *m, size_t j, double theta);
-double fvi_estimation_model_bound(const fvi_estimation_model *m, size_t j, double u);
-double fvi_estimation_model_slope(const fvi_estimation_model *m, size_t j, double theta);
+double fvi_estimation_theta_to_u(const fvi_estimation_model *m, size_t j, double theta);
+double fvi_estimation_u_to_theta(const fvi_estimation_model *m, size_t j, double u);
+double fvi_estimation_slope_of_theta(const fvi_estimation_model *m, size_t j, double theta);
 
 /* Compute m->motion for the present values. Return what fvi_stepper_start and fvi_stepper_step return, or FVI_EDOM for
  * values that no run takes. After the model has ended, return its code at once. */

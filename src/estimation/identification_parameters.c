@@ -152,7 +152,7 @@ void fvi_estimation_range(const fvi_estimation *fit, size_t j, double *low, doub
 }
 
 //> bound
-double fvi_estimation_model_bound(const fvi_estimation_model *m, size_t j, double u)
+double fvi_estimation_u_to_theta(const fvi_estimation_model *m, size_t j, double u)
 {
     double low, high;
     switch (fvi_estimation_kind_of(m->fit, j)) {
@@ -167,7 +167,7 @@ double fvi_estimation_model_bound(const fvi_estimation_model *m, size_t j, doubl
 }
 //< bound
 
-double fvi_estimation_model_free(const fvi_estimation_model *m, size_t j, double theta)
+double fvi_estimation_theta_to_u(const fvi_estimation_model *m, size_t j, double theta)
 {
     double low, high;
     switch (fvi_estimation_kind_of(m->fit, j)) {
@@ -181,7 +181,7 @@ double fvi_estimation_model_free(const fvi_estimation_model *m, size_t j, double
     }
 }
 
-double fvi_estimation_model_slope(const fvi_estimation_model *m, size_t j, double theta)
+double fvi_estimation_slope_of_theta(const fvi_estimation_model *m, size_t j, double theta)
 {
     double low, high;
     switch (fvi_estimation_kind_of(m->fit, j)) {

@@ -41,7 +41,7 @@ static double excess(profile *o, double u)
     fvi_estimation_slot now = o->on.at;
     for (size_t i = 0; i < o->others && fabs(far) < 4; i++)
         now.u[i] += far * (o->on.at.u[i] - o->on.before.u[i]);
-    fvi_estimation_model_set(m, o->others, fvi_estimation_model_bound(m, o->others, u));
+    fvi_estimation_model_set(m, o->others, fvi_estimation_u_to_theta(m, o->others, u));
     if (o->others > 0) {
         fvi_estimation_minimise(&o->work, &now, GSL_POSINF);
     } else {
@@ -147,11 +147,11 @@ static void fill_tangent(profile *o, const fvi_estimate *fitted, size_t j)
 {
     const fvi_estimation_model *m = &o->work.model;
     const double sd = fitted->sd[j]
-                      / fvi_estimation_model_slope(m, o->others, fitted->estimate[j]);
+                      / fvi_estimation_slope_of_theta(m, o->others, fitted->estimate[j]);
     for (size_t k = 0; k < o->others; k++) {
         const size_t i = k + (k >= j);
         o->tangent[k] = fitted->correlation[i][j] * fitted->sd[i]
-                     / fvi_estimation_model_slope(m, k, fitted->estimate[i]) / sd;
+                     / fvi_estimation_slope_of_theta(m, k, fitted->estimate[i]) / sd;
     }
 }
 
@@ -176,12 +176,12 @@ static int begin(profile *o, const fvi_estimation *fit, const fvi_estimate *fitt
     for (size_t i = 0; !status && i <= o->others; i++) {
         were[i] = fvi_estimation_model_get(m, i);
         fvi_estimation_model_set(m, i, found[i]);
-        o->on.at.u[i] = fvi_estimation_model_free(m, i, found[i]);
+        o->on.at.u[i] = fvi_estimation_theta_to_u(m, i, found[i]);
     }
     if (status)
         return status;
     fill_tangent(o, fitted, j);
-    fvi_estimation_model_step(m, fitted->h);
+    fvi_estimation_model_set_step(m, fitted->h);
     o->work.fine = 1e-5; /* chi^2 is flat at its minimum */
     fvi_estimation_model_weigh(m, fitted);
     o->unit = gsl_pow_2(fvi_estimation_model_unit(m, fitted)) * fitted->loss_unit;
@@ -195,17 +195,17 @@ static void find_both_edges(profile *o, const fvi_estimate *fitted, size_t j,
 {
     const fvi_estimation_model *m = &o->work.model;
     const double theta = fitted->estimate[j],
-                 u = fvi_estimation_model_free(m, o->others, theta),
+                 u = fvi_estimation_theta_to_u(m, o->others, theta),
                  sd = fitted->sd[j]
-                      / fabs(fvi_estimation_model_slope(m, o->others, theta));
+                      / fabs(fvi_estimation_slope_of_theta(m, o->others, theta));
     const trail here = { o->on.at, o->on.at, u, u };
     const double step = fitted->quantile * sd / 4;
     o->on = here;
     const double down = find_edge(o, u, -step, fitted->quantile);
     o->on = here;
     const double up = find_edge(o, u, step, fitted->quantile);
-    *low = fvi_estimation_model_bound(m, o->others, down);
-    *high = fvi_estimation_model_bound(m, o->others, up);
+    *low = fvi_estimation_u_to_theta(m, o->others, down);
+    *high = fvi_estimation_u_to_theta(m, o->others, up);
 }
 
 int fvi_estimate_profile(const fvi_estimation *fit, const fvi_estimate *fitted, size_t j,

@@ -44,7 +44,7 @@ int fvi_estimation_residuals(const gsl_vector *u, void *params, gsl_vector *f)
     fvi_estimation_model *m = &o->model;
     for (size_t j = 0; j < u->size; j++)
         fvi_estimation_model_set(m, j,
-                          fvi_estimation_model_bound(m, j, gsl_vector_get(u, j)));
+                          fvi_estimation_u_to_theta(m, j, gsl_vector_get(u, j)));
     fill_residuals(o);
     for (size_t i = 0; i < f->size; i++)
         gsl_vector_set(f, i, o->last[i]);
@@ -67,7 +67,7 @@ static int fill_jacobian_by_tangents(const gsl_vector *u, search *o, gsl_matrix 
     const size_t P = u->size;
     for (size_t j = 0; j < P; j++)
         fvi_estimation_model_set(m, j,
-                          fvi_estimation_model_bound(m, j, gsl_vector_get(u, j)));
+                          fvi_estimation_u_to_theta(m, j, gsl_vector_get(u, j)));
     if (o->tangents && m->window < 1)
         memset(o->tangents, 0, J->size1 * P * sizeof *o->tangents);
     if (!o->tangents || fvi_estimation_model_tangents(m, o->tangents)
@@ -76,7 +76,7 @@ static int fill_jacobian_by_tangents(const gsl_vector *u, search *o, gsl_matrix 
     const double huber = m->fit->huber; /* only data of one piece have such derivatives */
     for (size_t j = 0; j < P; j++) {
         const double by =
-            fvi_estimation_model_slope(m, j, fvi_estimation_model_get(m, j)) / m->scale[0];
+            fvi_estimation_slope_of_theta(m, j, fvi_estimation_model_get(m, j)) / m->scale[0];
         for (size_t i = 0; i < J->size1; i++)
             gsl_matrix_set(J, i, j,
                            by * o->tangents[i * P + j] / fvi_estimation_stretch(huber, o->last[i]));

@@ -107,7 +107,7 @@ START_TEST(eq_24_6_a_motion_between_the_steps_has_its_slopes)
     for (size_t i = 0; i < n; i++)
         q.t[i] = 0.173 * (double)i;
     fvi_estimation_model_init(&m, &q.fit, motion);
-    fvi_estimation_model_step(&m, 0.0625);
+    fvi_estimation_model_set_step(&m, 0.0625);
     ck_assert(fvi_estimation_model_has_tangents(&m));
     ck_assert_int_eq(fvi_estimation_model_tangents(&m, slope), FVI_SUCCESS);
     for (size_t j = 0; j < P; j++) {
