@@ -107,7 +107,7 @@ static int continue_given_up(search *o, size_t *best)
 }
 
 //> windows
-/* A motion with a swing too many is a false minimum, but not for the first few swings. So all starts set_start again
+/* A motion with a swing too many is a false minimum, but not for the first few swings. So all starts begin again
  * with the first tenth of the rows, then go on with two tenths, four tenths and all rows. Return nonzero if a start
  * ended lower than before. */
 static int search_with_growing_windows(search *o, size_t *best)

@@ -45,7 +45,7 @@ static int has_history(double beta, int by_order)
     return by_order || (beta != 0 && beta != -1);
 }
 
-/* Return 1 if all W_n are stored, and 0 if modes represent most_numbers of them. */
+/* Return 1 if all W_n are stored, and 0 if modes represent most of them. */
 static int is_direct(double beta, size_t steps, fvi_history_kind kind, int by_order)
 {
     const int has_few_steps = kind == FVI_HISTORY_AUTO && steps <= MOST_DIRECT_STEPS;
