@@ -46,19 +46,14 @@ static fvi_kernel_side range_side(const fvi_kernel_term *t)
 }
 
 /* dC/da and dC/de of a range of orders. (23.21) */
-static double complex range_by_begin(const void *term, double complex s)
+static double complex derivative_of_range(const fvi_kernel_term *t, double complex s, size_t field)
 {
-    return -cpow(s, 2 * ((const fvi_kernel_term *)term)->alpha);
-}
-
-static double complex range_by_end(const void *term, double complex s)
-{
-    return cpow(s, 2 * ((const fvi_kernel_term *)term)->end);
+    return field == 1 ? -cpow(s, 2 * t->alpha) : cpow(s, 2 * t->end);
 }
 
 static const fvi_kernel_class range_of_orders = {
     { FVI_RHO, FVI_HALF_ORDER(1), { "end", 3, FVI_RANGE_ORDER, 1 } }, check_range, range_symbol, range_growth,
-    .by = { range_by_begin, NULL, range_by_end }, .side = range_side
+    .by = derivative_of_range, .side = range_side
 };
 
 /* ---- Cole and Davidson ---- */
@@ -105,23 +100,15 @@ static double complex davidson_log(const fvi_kernel_term *t, double complex s)
     return cabs(Ts) > 1 ? -log(t->time) - log_of_1_and(1 / Ts) : clog(s) - log_of_1_and(Ts);
 }
 
-static double complex davidson_by_order(const void *term, double complex s)
+static double complex derivative_of_davidson(const fvi_kernel_term *t, double complex s, size_t field)
 {
-    const fvi_kernel_term *t = term;
     const double complex ln = davidson_log(t, s);
-    return 2 * ln * cexp(2 * t->alpha * ln);
-}
-
-static double complex davidson_by_time(const void *term, double complex s)
-{
-    const fvi_kernel_term *t = term;
-    const double complex ln = davidson_log(t, s);
-    return -2 * t->alpha * cexp((2 * t->alpha + 1) * ln);
+    return field == 1 ? 2 * ln * cexp(2 * t->alpha * ln) : -2 * t->alpha * cexp((2 * t->alpha + 1) * ln);
 }
 
 static const fvi_kernel_class davidson = {
     { FVI_RHO, FVI_HALF_ORDER(1), FVI_TIME }, fvi_check_order_and_time, davidson_symbol, davidson_growth,
-    davidson_fraction, fvi_davidson_modes, { davidson_by_order, davidson_by_time }, davidson_side, .has_time = 1
+    davidson_fraction, fvi_davidson_modes, derivative_of_davidson, davidson_side, .has_time = 1
 };
 
 /* ---- Havriliak and Negami ---- */
@@ -167,43 +154,20 @@ static fvi_kernel_side havriliak_side(const fvi_kernel_term *t)
     return t->alpha < 0.5 ? FVI_SIDE_ABOVE : FVI_SIDE_ANYWHERE;
 }
 
-//> havriliak-slopes
-/* With q = s^{2 a} the derivatives are 2 ln s C (1 + (1 - B) T q)/(1 + T q), -B C q/(1 + T q) and -C ln(1 + T q). */
-static double complex havriliak_at(const fvi_kernel_term *t, double complex s, double complex *q)
+static double complex derivative_of_havriliak(const fvi_kernel_term *t, double complex s, size_t field)
 {
-    *q = cexp(2 * t->alpha * clog(s));
-    return *q * cexp(-t->end * log_of_1_and(t->time * *q));
+    const double complex C = fvi_kernel_at(&(fvi_kernel){ 1, t }, s, NULL), q = t->time * cexp(2 * t->alpha * clog(s));
+    if (field == 1)
+        return 2 * clog(s) * C * (1 + (1 - t->end) * q) / (1 + q);
+    if (field == 2)
+        return -t->end * C * cexp(2 * t->alpha * clog(s)) / (1 + q);
+    return -C * log_of_1_and(q);
 }
-
-static double complex havriliak_by_order(const void *term, double complex s)
-{
-    const fvi_kernel_term *t = term;
-    double complex q;
-    const double complex C = havriliak_at(t, s, &q);
-    return 2 * clog(s) * C * (1 + (1 - t->end) * t->time * q) / (1 + t->time * q);
-}
-
-static double complex havriliak_by_time(const void *term, double complex s)
-{
-    const fvi_kernel_term *t = term;
-    double complex q;
-    const double complex C = havriliak_at(t, s, &q);
-    return -t->end * C * q / (1 + t->time * q);
-}
-
-static double complex havriliak_by_exponent(const void *term, double complex s)
-{
-    const fvi_kernel_term *t = term;
-    double complex q;
-    const double complex C = havriliak_at(t, s, &q);
-    return -C * log_of_1_and(t->time * q);
-}
-//< havriliak-slopes
 
 static const fvi_kernel_class havriliak = {
     { FVI_RHO, FVI_HALF_ORDER(0.5), FVI_TIME, { "beta", 3, FVI_RANGE_EXPONENT, 1 } }, check_havriliak,
     havriliak_symbol, havriliak_growth, havriliak_fraction,
-    .by = { havriliak_by_order, havriliak_by_time, havriliak_by_exponent }, .side = havriliak_side
+    .by = derivative_of_havriliak, .side = havriliak_side
 };
 
 /* ---- the table of kinds ---- */

@@ -49,7 +49,7 @@ typedef enum {
  *             term is. A term that is no fraction is called general: its weights come from Cauchy's integral
  *   modes     computes the modes of a general term, as fvi_kernel_modes_of; NULL: from the symbol on the cut. Such
  *             modes are compared with the symbol before they are used
- *   by        the derivatives for rho = 1 by alpha, time and end; NULL: by differences of the symbol
+ *   by        returns the derivative of C(s) for rho = 1 by the number in a field; NULL: by differences of the symbol
  *   side      returns where a term with rho > 0 lies that is no fraction; NULL: not known
  *   has_time  nonzero: `time` is a time. 0: it is a time to the power 2 alpha */
 typedef struct {
@@ -59,7 +59,7 @@ typedef struct {
     double (*growth)(const fvi_kernel_term *t);
     int (*fraction)(const fvi_kernel_term *t, fvi_kernel_simple *simple);
     int (*modes)(const fvi_kernel_term *t, double slowest, double delta, fvi_kernel_modes *modes);
-    fvi_symbol_function *by[FVI_KERNEL_FIELDS - 1];
+    double complex (*by)(const fvi_kernel_term *t, double complex s, size_t field);
     fvi_kernel_side (*side)(const fvi_kernel_term *t);
     int has_time;
 } fvi_kernel_class;

@@ -149,45 +149,22 @@ fvi_kernel_side fvi_fraction_side(const fvi_kernel_simple *f)
 /* ---- derivatives of the symbol by alpha, time and end ---- */
 
 /* dC/d alpha and dC/d time of a power, a fraction or a Maxwell element. (23.21) */
-static double complex symbol_by_order(const void *term, double complex s)
+static double complex derivative_of_fraction(const fvi_kernel_term *t, double complex s, size_t field)
 {
-    const fvi_kernel_term *t = term;
     const double complex C = fvi_kernel_at(&(fvi_kernel){ 1, t }, s, NULL);
-    return 2 * clog(s) * C * (1 - t->time * C);
-}
-
-static double complex symbol_by_time(const void *term, double complex s)
-{
-    const double complex C = fvi_kernel_at(&(fvi_kernel){ 1, term }, s, NULL);
-    return -C * C;
+    return field == 1 ? 2 * clog(s) * C * (1 - t->time * C) : -C * C;
 }
 
 //> pair
-/* C of two springpots in series, (23.28), and s^{2 (alpha - end)} to *q. */
-static double complex pair_at(const fvi_kernel_term *t, double complex s, double complex *q)
+/* The derivatives of two springpots in series by alpha, time and end. (23.28) */
+static double complex derivative_of_pair(const fvi_kernel_term *t, double complex s, size_t field)
 {
-    *q = cexp(2 * (t->alpha - t->end) * clog(s));
-    return cexp(2 * t->alpha * clog(s)) / (1 + t->time * *q);
-}
-
-static double complex pair_by_order(const void *term, double complex s)
-{
-    double complex q;
-    const double complex C = pair_at(term, s, &q);
-    return 2 * clog(s) * C / (1 + ((const fvi_kernel_term *)term)->time * q);
-}
-
-static double complex pair_by_time(const void *term, double complex s)
-{
-    double complex q;
-    const double complex C = pair_at(term, s, &q);
-    return -C * q / (1 + ((const fvi_kernel_term *)term)->time * q);
-}
-
-static double complex pair_by_end(const void *term, double complex s)
-{
-    double complex q;
-    const double complex C = pair_at(term, s, &q), u = ((const fvi_kernel_term *)term)->time * q;
+    const double complex q = cexp(2 * (t->alpha - t->end) * clog(s)), u = t->time * q,
+                         C = cexp(2 * t->alpha * clog(s)) / (1 + u);
+    if (field == 1)
+        return 2 * clog(s) * C / (1 + u);
+    if (field == 2)
+        return -C * q / (1 + u);
     return 2 * clog(s) * C * u / (1 + u);
 }
 //< pair
@@ -195,18 +172,18 @@ static double complex pair_by_end(const void *term, double complex s)
 /* ---- the kinds ---- */
 
 const fvi_kernel_class fvi_kernel_of_power = { { FVI_RHO, FVI_HALF_ORDER(1) }, fvi_check_order, power_symbol,
-                                               .fraction = fvi_power_fraction, .by = { symbol_by_order } };
+                                               .fraction = fvi_power_fraction, .by = derivative_of_fraction };
 
 const fvi_kernel_class fvi_kernel_of_zener = { { FVI_RHO, FVI_HALF_ORDER(1), FVI_TIME }, fvi_check_order_and_time,
                                                fraction_symbol, .fraction = fvi_zener_fraction,
-                                               .by = { symbol_by_order, symbol_by_time } };
+                                               .by = derivative_of_fraction };
 
 const fvi_kernel_class fvi_kernel_of_maxwell = { { FVI_RHO, FVI_TIME }, check_time, fraction_symbol,
-                                                 .fraction = maxwell_fraction, .by = { NULL, symbol_by_time },
+                                                 .fraction = maxwell_fraction, .by = derivative_of_fraction,
                                                  .has_time = 1 };
 
 const fvi_kernel_class fvi_kernel_of_maxwell2 = {
     { { "rho1", 0, FVI_RANGE_SIZE, INFINITY }, { "alpha1", 1, FVI_RANGE_ORDER, 1 },
       { "rho2", 2, FVI_RANGE_SIZE, INFINITY }, { "alpha2", 3, FVI_RANGE_ORDER, 1 } },
-    check_pair, maxwell2_symbol, maxwell2_growth, maxwell2_fraction, .by = { pair_by_order, pair_by_time, pair_by_end }
+    check_pair, maxwell2_symbol, maxwell2_growth, maxwell2_fraction, .by = derivative_of_pair
 };

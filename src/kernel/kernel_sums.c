@@ -176,24 +176,29 @@ double complex fvi_symbol_by_differences(const fvi_kernel_term *term, double com
 }
 //< differences
 
+static double complex symbol_by(const fvi_kernel_term *t, double complex s, size_t field)
+{
+    const fvi_kernel_class *of = fvi_kernel_classes[t->kind];
+    return of->by ? of->by(t, s, field) : fvi_symbol_by_differences(t, s, field);
+}
+
 static double complex symbol_by_alpha(const void *term, double complex s)
 {
-    return fvi_symbol_by_differences(term, s, 1);
+    return symbol_by(term, s, 1);
 }
 
 static double complex symbol_by_time(const void *term, double complex s)
 {
-    return fvi_symbol_by_differences(term, s, 2);
+    return symbol_by(term, s, 2);
 }
 
 static double complex symbol_by_end(const void *term, double complex s)
 {
-    return fvi_symbol_by_differences(term, s, 3);
+    return symbol_by(term, s, 3);
 }
 
 fvi_symbol_function *fvi_kernel_derivative_symbol(const fvi_kernel_term *term, fvi_slope_by by)
 {
-    static fvi_symbol_function *const differences[] = { symbol_by_alpha, symbol_by_time, symbol_by_end };
-    fvi_symbol_function *const known = fvi_kernel_classes[term->kind]->by[by];
-    return !fvi_kernel_number_of(term, 1 + by) ? NULL : known ? known : differences[by];
+    static fvi_symbol_function *const all[] = { symbol_by_alpha, symbol_by_time, symbol_by_end };
+    return fvi_kernel_number_of(term, 1 + by) ? all[by] : NULL;
 }
