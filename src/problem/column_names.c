@@ -42,7 +42,7 @@ static size_t damper_count(const fvi_typed_columns *c)
     return c->source->mechanism ? c->source->mechanism->damper_count : 1;
 }
 
-size_t fvi_column_width(const fvi_typed_columns *c, const fvi_quantity *q)
+size_t fvi_quantity_width(const fvi_typed_columns *c, const fvi_quantity *q)
 {
     const fvi_mechanism *m = c->source->mechanism;
     if (q->kind == QUANTITY_MULTIPLIER)
@@ -87,7 +87,7 @@ static int find_damper_quantity(const fvi_typed_columns *c, const char *name,
         if (left < stem || strncmp(word, of_damper[n], stem) != 0)
             continue;
         q->kind = (fvi_quantity_kind)(QUANTITY_FORCE + n);
-        const size_t width = fvi_column_width(c, q);
+        const size_t width = fvi_quantity_width(c, q);
         *is_all = left == stem && width > 1;
         q->i = left == stem ? 0 : index_of(word + stem, left - stem, width);
         return q->i < width && (left == stem || q->kind != QUANTITY_DAMPER_WORK);
@@ -144,7 +144,7 @@ static int find_event_quantity(const fvi_typed_columns *c, const char *name, siz
     return q->i < c->source->events;
 }
 
-int fvi_column_find(const fvi_typed_columns *c, const char *name,
+int fvi_find_quantity(const fvi_typed_columns *c, const char *name,
                     size_t length, fvi_quantity *q, int *is_all)
 {
     const size_t d = c->source->d;
@@ -194,13 +194,13 @@ static int add_quantity(fvi_typed_columns *c, fvi_quantity q)
     return (int)c->quantities++;
 }
 
-int fvi_column_quantity(const char *name, size_t length, void *columns)
+int fvi_find_or_add_quantity(const char *name, size_t length, void *columns)
 {
     fvi_typed_columns *c = columns;
     fvi_quantity q;
     int is_all;
-    if (!fvi_column_find(c, name, length, &q, &is_all)
-        || (is_all && fvi_column_width(c, &q) > 1))
+    if (!fvi_find_quantity(c, name, length, &q, &is_all)
+        || (is_all && fvi_quantity_width(c, &q) > 1))
         return -1;
     return add_quantity(c, q);
 }
@@ -208,7 +208,7 @@ int fvi_column_quantity(const char *name, size_t length, void *columns)
 /* ---- what is wrong with a name ---- */
 
 /* Collect all names, so that the message can propose the nearest one. */
-int fvi_column_unknown(const fvi_typed_columns *c, const char *word,
+int fvi_refuse_unknown_column(const fvi_typed_columns *c, const char *word,
                        size_t length, fvi_error *error)
 {
     enum { DAMPERS = 20 };

@@ -71,7 +71,7 @@ static int check_name(const char *field, const char *name,
     for (size_t i = 0; parameters && i < parameters->count; i++)
         if (strcmp(parameters->name[i], name) == 0)
             return fvi_refuse(error, field, "'%s' is a parameter of --let, too", name);
-    if (fvi_column_find(c, name, strlen(name), &q, &is_all)
+    if (fvi_find_quantity(c, name, strlen(name), &q, &is_all)
         || strcmp(name, "y") == 0)
         return fvi_refuse(error, field, q.kind == QUANTITY_COLUMN
                             ? "'%s' is given to two columns"
@@ -85,15 +85,15 @@ static int parse_column_expression(const char *field, const char *text,
                       fvi_user_parameters *parameters, fvi_typed_columns *c,
                       fvi_expression **e, fvi_error *error)
 {
-    const fvi_name_finder finder = { fvi_column_quantity, c };
+    const fvi_name_finder finder = { fvi_find_or_add_quantity, c };
     fvi_quantity q;
     int is_all;
     const size_t length = strlen(text);
     if (is_one_word(text, length)
-        && fvi_column_find(c, text, length, &q, &is_all) && is_all
-        && fvi_column_width(c, &q) > 1)
+        && fvi_find_quantity(c, text, length, &q, &is_all) && is_all
+        && fvi_quantity_width(c, &q) > 1)
         return fvi_refuse(error, field, "'%s' of which coordinate? %s1 to %s%zu", text, text,
-                        text, fvi_column_width(c, &q));
+                        text, fvi_quantity_width(c, &q));
     return fvi_parse_expression_of(field, &finder, text, parameters, e, error);
 }
 
@@ -111,7 +111,7 @@ char *fvi_trimmed_copy(const char *text, size_t length)
     return copy;
 }
 
-int fvi_column_item(const char *field, const char *text, size_t length,
+int fvi_parse_column_item(const char *field, const char *text, size_t length,
                     fvi_user_parameters *parameters, fvi_typed_columns *c,
                     fvi_typed_column *column, fvi_error *error)
 {
@@ -162,16 +162,16 @@ static int add_all_coordinates(const char *word, size_t length, fvi_quantity q,
 {
     const int are_chosen =
         c->source->shown && q.kind != QUANTITY_MULTIPLIER
-        && fvi_column_width(c, &q) == c->source->d;
+        && fvi_quantity_width(c, &q) == c->source->d;
     const size_t width =
-        are_chosen ? c->source->shown_count : fvi_column_width(c, &q);
+        are_chosen ? c->source->shown_count : fvi_quantity_width(c, &q);
     int status = FVI_SUCCESS;
     for (size_t n = 0; n < width && !status; n++) {
         char name[120];
         fvi_typed_column column;
         snprintf(name, sizeof name, "%.*s%zu", length < 90 ? (int)length : 90,
                  word, 1 + (are_chosen ? c->source->shown[n] : n));
-        status = fvi_column_item("columns", name, strlen(name), NULL, c,
+        status = fvi_parse_column_item("columns", name, strlen(name), NULL, c,
                                  &column, error);
         if (!status)
             status = add_column(c, column, list, error);
@@ -188,13 +188,13 @@ static int add_item(const char *item, size_t length, const char *list,
     fvi_typed_column column;
     int is_all;
     if (is_one_word(item, length)) {
-        if (!fvi_column_find(c, item, length, &q, &is_all))
-            return fvi_column_unknown(c, item, length, error);
+        if (!fvi_find_quantity(c, item, length, &q, &is_all))
+            return fvi_refuse_unknown_column(c, item, length, error);
         if (is_all)
             return add_all_coordinates(item, length, q, list, c, error);
     }
     const int status =
-        fvi_column_item("columns", item, length, parameters, c, &column, error);
+        fvi_parse_column_item("columns", item, length, parameters, c, &column, error);
     return status ? status : add_column(c, column, list, error);
 }
 
@@ -265,7 +265,7 @@ static size_t force_index(const fvi_typed_columns *c, fvi_quantity q)
     size_t index = q.i;
     for (size_t j = 0; j < q.j; j++) {
         const fvi_quantity of_damper = { .kind = q.kind, .j = j, .i = q.i };
-        index += fvi_column_width(c, &of_damper);
+        index += fvi_quantity_width(c, &of_damper);
     }
     return index;
 }

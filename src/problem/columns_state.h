@@ -74,26 +74,26 @@ struct fvi_typed_columns {
     fvi_reduction *reduction;
 };
 
-/* fvi_column_quantity -- Return the number of the quantity with this name. If it is new, it is added to the columns.
- * Return -1 if there is no such quantity, -2 without memory. `columns` is a fvi_typed_columns *. The function is for
- * fvi_name_finder. */
-int fvi_column_quantity(const char *name, size_t length, void *columns);
+/* fvi_find_or_add_quantity -- Return the number of the quantity with this name. If it is new, it is added to the
+ * columns. Return -1 if there is no such quantity, -2 without memory. `columns` is a fvi_typed_columns *. The function
+ * is for fvi_name_finder. */
+int fvi_find_or_add_quantity(const char *name, size_t length, void *columns);
 
-/* fvi_column_find -- Find the quantity with this name. *is_all becomes nonzero if the name means all numbers of its
+/* fvi_find_quantity -- Find the quantity with this name. *is_all becomes nonzero if the name means all numbers of its
  * kind. Return 0 if there is none, else 1.
- * fvi_column_width -- Return how many numbers there are of its kind; for a damper, how many this damper has. */
-int fvi_column_find(const fvi_typed_columns *c, const char *name,
+ * fvi_quantity_width -- Return how many numbers there are of its kind; for a damper, how many this damper has. */
+int fvi_find_quantity(const fvi_typed_columns *c, const char *name,
                     size_t length, fvi_quantity *q, int *is_all);
-size_t fvi_column_width(const fvi_typed_columns *c, const fvi_quantity *q);
+size_t fvi_quantity_width(const fvi_typed_columns *c, const fvi_quantity *q);
 
-/* fvi_column_unknown -- Refuse a word of a list that is no name. The message proposes the nearest name. Return
+/* fvi_refuse_unknown_column -- Refuse a word of a list that is no name. The message proposes the nearest name. Return
  * FVI_EINVAL. */
-int fvi_column_unknown(const fvi_typed_columns *c, const char *word,
+int fvi_refuse_unknown_column(const fvi_typed_columns *c, const char *word,
                        size_t length, fvi_error *error);
 
-/* fvi_column_item -- Parse "NAME=EXPRESSION", or an expression alone, of `length` letters, as a column. The caller owns
- * the column's name and expression. Return FVI_SUCCESS, or an error code with the error filled in. */
-int fvi_column_item(const char *field, const char *text, size_t length,
+/* fvi_parse_column_item -- Parse "NAME=EXPRESSION", or an expression alone, of `length` letters, as a column. The
+ * caller owns the column's name and expression. Return FVI_SUCCESS, or an error code with the error filled in. */
+int fvi_parse_column_item(const char *field, const char *text, size_t length,
                     fvi_user_parameters *parameters, fvi_typed_columns *c,
                     fvi_typed_column *column, fvi_error *error);
 

@@ -70,7 +70,7 @@ static int parse_call(const char *text, size_t length,
         return fvi_refuse(error, "reduce", "'%.*s' has no time of its own", length < 80 ? (int)length : 80, text);
     if (fvi_list_item(from) < inner || memchr(from, '=', inner))
         return fvi_refuse(error, "reduce", "'%.*s' takes one expression", length < 80 ? (int)length : 80, text);
-    return fvi_column_item("reduce", from, inner, parameters, c, &r->of, error);
+    return fvi_parse_column_item("reduce", from, inner, parameters, c, &r->of, error);
 }
 
 static int add_reduction(fvi_typed_columns *c, fvi_reduction r,
