@@ -69,8 +69,8 @@ static int prepare_source(fvi_exact_motion *o, source_kind which, fvi_error *err
     source *y = o->source + which;
     const size_t most = o->poles.count + 1; /* the poles of Z^-1, and that of the cosine */
     y->pole = calloc(most * (1 + o->d), sizeof *y->pole);
-    y->at = calloc(FVI_PARABOLA_NODES * o->d, sizeof *y->at);
-    if (!y->pole || !y->at)
+    y->node_value = calloc(FVI_PARABOLA_NODES * o->d, sizeof *y->node_value);
+    if (!y->pole || !y->node_value)
         return fvi_no_memory(error, NULL);
     y->residue = y->pole + most;
     y->count = o->poles.count;
@@ -94,26 +94,26 @@ static double begin_of_window(double t)
     return ldexp(1, exponent - is_odd);
 }
 
-/* Compute weight times Y at the nodes of the parabola that serves t, to y->at. If y->at belongs to this parabola
- * already, compute only o->rule, which the other source may have changed. */
+/* Compute weight times Y at the nodes of the parabola that serves t, to y->node_value. If y->node_value belongs to this
+ * parabola already, compute only o->rule, which the other source may have changed. */
 static int evaluate_at_nodes(fvi_exact_motion *o, source_kind which, double t, fvi_error *error)
 {
     source *y = o->source + which;
-    const double from = begin_of_window(t);
+    const double window = begin_of_window(t);
     int status = FVI_SUCCESS;
-    fvi_parabola_make(from, &o->rule);
-    if (from == y->from)
+    fvi_parabola_make(window, &o->rule);
+    if (window == y->window)
         return status;
-    y->from = 0; /* for no parabola, should a solution fail */
+    y->window = 0; /* for no parabola, should a solution fail */
     for (size_t j = 0; !status && j < FVI_PARABOLA_NODES; j++) {
-        double complex *at = y->at + j * o->d;
-        evaluate_right_hand_side(o, which, o->rule.s[j], at);
-        status = solve_stiffness(o, o->rule.s[j], at, error);
+        double complex *value = y->node_value + j * o->d;
+        evaluate_right_hand_side(o, which, o->rule.s[j], value);
+        status = solve_stiffness(o, o->rule.s[j], value, error);
         for (size_t i = 0; i < o->d; i++)
-            at[i] *= o->rule.weight[j];
+            value[i] *= o->rule.weight[j];
     }
     if (!status)
-        y->from = from;
+        y->window = window;
     return status;
 }
 
@@ -143,7 +143,7 @@ static int add_source(fvi_exact_motion *o, source_kind which, double sign, doubl
     if (status)
         return status;
     for (size_t j = 0; j < FVI_PARABOLA_NODES; j++)
-        add_exponential(o, y->at + j * o->d, o->rule.s[j], sign * cexp(o->rule.s[j] * t), sums);
+        add_exponential(o, y->node_value + j * o->d, o->rule.s[j], sign * cexp(o->rule.s[j] * t), sums);
     for (size_t k = 0; k < y->count; k++) {
         const double complex s = y->pole[k],
                              part = fvi_parabola_left_out(&o->rule, s, NULL);
@@ -263,7 +263,7 @@ void fvi_exact_motion_free(fvi_exact_motion *o)
         return;
     for (size_t j = 0; j < SOURCES; j++) {
         free(o->source[j].pole);
-        free(o->source[j].at);
+        free(o->source[j].node_value);
     }
     fvi_exact_motion_free_dampers(o);
     fvi_response_free(o->response);

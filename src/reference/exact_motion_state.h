@@ -16,8 +16,8 @@ typedef enum { BY_START, BY_STEP, SOURCES } source_kind;
 typedef struct {
     double complex *pole, *residue; /* count poles; d residues for each; one block, which begins at pole */
     size_t count;
-    double from;        /* the parabola serves the times from `from` to FVI_PARABOLA_SPAN times `from`; 0: none yet */
-    double complex *at; /* weight times Y at each node, d numbers for each */
+    double window; /* the parabola serves the times from `window` to FVI_PARABOLA_SPAN times `window`; 0: none yet */
+    double complex *node_value; /* weight times Y at each node, d numbers for each */
 } source;
 
 struct fvi_exact_motion {
