@@ -269,7 +269,7 @@ static int correct_pole_and_shape(fvi_response *r, damping_path *p, double e, do
 /* Try one step of e: predict s with the tangent ds/de = -v^T L v / v^T Z' v, where L is the damping, and correct it by
  * Newton's method. If s or the shape moves too far, keep the present pole and halve the step. If both hardly move,
  * double the step for the next time. Return FVI_SUCCESS in all these cases, or FVI_ENOMEM. */
-static int advance_along_path(fvi_response *r, double tight, damping_path *p)
+static int advance_along_path(fvi_response *r, double limit_factor, damping_path *p)
 {
     p->step = smaller(p->step, 1 - p->e);
     compute_forms(r, p->v, p->form);
@@ -280,7 +280,7 @@ static int advance_along_path(fvi_response *r, double tight, damping_path *p)
     double complex z = 0;
     int status = FVI_EMAXITER;
     if (cimag(guess) > 0
-        && cabs(p->step * tangent) <= 0.3 * tight * cabs(p->s))
+        && cabs(p->step * tangent) <= 0.3 * limit_factor * cabs(p->s))
         status = correct_pole_and_shape(r, p, p->e + p->step, guess, &z);
     if (status == FVI_ENOMEM)
         return status;
@@ -288,21 +288,21 @@ static int advance_along_path(fvi_response *r, double tight, damping_path *p)
     const double moved = status ? 1 : cabs(z - guess) / cabs(z),
                  turned =
                      status ? 1 : 1 - cabs(conjugate_product(r->d, p->w, p->v));
-    if (!(cimag(z) > 0) || !(moved <= 0.1 * tight)
-        || !(turned <= 0.1 * tight)) {
+    if (!(cimag(z) > 0) || !(moved <= 0.1 * limit_factor)
+        || !(turned <= 0.1 * limit_factor)) {
         p->step /= 2;
         return FVI_SUCCESS;
     }
     memcpy(p->v, p->w, r->d * sizeof *p->v);
     p->s = z;
     p->e += p->step;
-    if (moved < 0.02 * tight && turned < 0.02 * tight)
+    if (moved < 0.02 * limit_factor && turned < 0.02 * limit_factor)
         p->step *= 2;
     return FVI_SUCCESS;
 }
 //< path
 
-int fvi_pole_follow(fvi_response *r, double tight, fvi_pole_candidate *c)
+int fvi_pole_follow(fvi_response *r, double limit_factor, fvi_pole_candidate *c)
 {
     const size_t d = r->d;
     double complex *room = malloc((2 * d + r->terms) * sizeof *room);
@@ -315,7 +315,7 @@ int fvi_pole_follow(fvi_response *r, double tight, fvi_pole_candidate *c)
         p.v[i] /= size;
     int status = FVI_SUCCESS;
     while (!status && p.e < 1 && p.step > 1e-7)
-        status = advance_along_path(r, tight, &p);
+        status = advance_along_path(r, limit_factor, &p);
     free(room);
     c->s = p.s;
     c->residual = 1; /* not found, unless Newton's method finds it */

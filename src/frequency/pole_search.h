@@ -30,8 +30,8 @@ double complex fvi_pole_estimate(const fvi_response *response, double lambda,
                                  const double complex *v, double complex *form);
 
 /* fvi_pole_follow -- Follow a pole from an undamped mode with s = i omega and shape v, from no damping to all of it. A
- * smaller `tight` <= 1 makes the steps shorter.            (30.10)
+ * smaller `limit_factor` <= 1 makes the steps shorter.            (30.10)
  * Return as fvi_pole_newton. */
-int fvi_pole_follow(fvi_response *response, double tight, fvi_pole_candidate *p);
+int fvi_pole_follow(fvi_response *response, double limit_factor, fvi_pole_candidate *p);
 
 #endif
