@@ -119,52 +119,63 @@ static void project(size_t s, size_t n, double E[FVI_STAGES][FVI_STAGES],
         }
 }
 
+/* Compute E, whose columns make all stages out of the unknowns, and return the number of unknowns. At z = -1 the
+ * unknowns are the stages X_1, ..., X_{s-1}, and X_s = -X_1. At z = 1, where X_s = X_1, the constant path is left out,
+ * because its S is W. The other paths have the mean zero, so there are s - 2 unknowns: X_2, ..., X_{s-1}, before the
+ * mean is subtracted from all stages. */
+static size_t make_paths(size_t s, double z, const double *b, double E[FVI_STAGES][FVI_STAGES])
+{
+    const size_t left_out = z > 0 ? 1 : 0, n = s - 1 - left_out;
+    for (size_t j = 0; j < n; j++)
+        E[j + left_out][j] = 1;
+    if (z < 0)
+        E[s - 1][0] = -1;
+    for (size_t j = 0; z > 0 && j < n; j++) /* subtract the mean of column j, which is b[j + 1] */
+        for (size_t i = 0; i < s; i++)
+            E[i][j] -= b[j + 1];
+    return n;
+}
+
+/* Replace X by K^-1 X, n x n. K has the Cholesky factors. */
+static void solve_columns(size_t n, const gsl_matrix *K, double X[FVI_STAGES][FVI_STAGES])
+{
+    for (size_t j = 0; j < n; j++) {
+        gsl_vector_view column = gsl_vector_view_array_with_stride(&X[0][j], FVI_STAGES, n);
+        gsl_linalg_cholesky_svx(K, &column.vector);
+    }
+}
+
 //> turn
-/* Compute the symbol at z = -1 or z = 1. At z = -1 the unknowns are the stages X_1, ..., X_{s-1}, and X_s = -X_1. At z
- * = 1, where X_s = X_1, the constant path is left out, because its S is W. The other paths have the mean zero, so there
- * are s - 2 unknowns: X_2, ..., X_{s-1}, before the mean is subtracted from all stages. */
+/* Compute the symbol at z = -1 or z = 1. Return FVI_SUCCESS or the code of GSL. */
 static int make_end_symbol(size_t s, double z, const fvi_run *run, end_symbol *symbol)
 {
     const fvi_lobatto_rule *rule = fvi_lobatto(s);
     const double *b = rule->b;
     double E[FVI_STAGES][FVI_STAGES] = { { 0 } }, K[FVI_STAGES][FVI_STAGES],
            X[FVI_STAGES][FVI_STAGES] = { { 0 } }; /* D^T B D, then B, then B f(Delta) */
-    const size_t left_out = z > 0 ? 1 : 0;
-    symbol->n = s - 1 - left_out;
-    for (size_t j = 0; j < symbol->n; j++)
-        E[j + left_out][j] = 1;
-    if (z < 0)
-        E[s - 1][0] = -1;
-    for (size_t j = 0; z > 0 && j < symbol->n; j++) /* subtract the mean of column j, which is b[j + 1] */
-        for (size_t i = 0; i < s; i++)
-            E[i][j] -= b[j + 1];
+    const size_t n = symbol->n = make_paths(s, z, b, E);
     for (size_t i = 0; i < s; i++)
         for (size_t j = 0; j < s; j++)
             for (size_t l = 0; l < s; l++)
                 X[i][j] += rule->D[l][i] * b[l] * rule->D[l][j];
-    project(s, symbol->n, E, X, K);
+    project(s, n, E, X, K);
     for (size_t i = 0; i < s; i++)
         for (size_t j = 0; j < s; j++)
             X[i][j] = i == j ? b[i] : 0;
-    project(s, symbol->n, E, X, symbol->B);
+    project(s, n, E, X, symbol->B);
     int status = apply_damping_symbol(s, z, run, X);
     for (size_t i = 0; i < s; i++)
         for (size_t j = 0; j < s; j++)
             X[i][j] *= b[i];
-    project(s, symbol->n, E, X, symbol->A);
-    gsl_matrix_view k =
-        gsl_matrix_view_array_with_tda(K[0], symbol->n, symbol->n, FVI_STAGES);
+    project(s, n, E, X, symbol->A);
+    gsl_matrix_view k = gsl_matrix_view_array_with_tda(K[0], n, n, FVI_STAGES);
     fvi_quiet(); /* K may be singular to rounding */
     if (!status)
         status = gsl_linalg_cholesky_decomp1(&k.matrix);
     fvi_loud();
-    for (size_t j = 0; !status && j < symbol->n; j++) {
-        gsl_vector_view B =
-            gsl_vector_view_array_with_stride(&symbol->B[0][j], FVI_STAGES, symbol->n);
-        gsl_vector_view A =
-            gsl_vector_view_array_with_stride(&symbol->A[0][j], FVI_STAGES, symbol->n);
-        gsl_linalg_cholesky_svx(&k.matrix, &B.vector);
-        gsl_linalg_cholesky_svx(&k.matrix, &A.vector);
+    if (!status) {
+        solve_columns(n, &k.matrix, symbol->B);
+        solve_columns(n, &k.matrix, symbol->A);
     }
     return status;
 }
