@@ -15,7 +15,10 @@
  *   diagonal  the coordinates are not coupled, but form M has other matrices, or few digits make the steps long.
  *             Newton's method takes the Jacobian L + h^2 diag(U'') to_x
  *   general   the iteration delta <- L^{-1} (R - h grad U) needs no matrix that couples the coordinates. If it does not
- *             contract, Newton's method for all stages and coordinates at once takes over */
+ *             contract, Newton's method for all stages and coordinates at once takes over
+ *
+ * o->solve is FVI_SOLVE_LINEAR, FVI_SOLVE_DIAGONAL, or for "general" FVI_SOLVE_COUPLED, and FVI_SOLVE_TOGETHER once
+ * Newton's method has taken over for good. With a band it is FVI_SOLVE_DIAGONAL or FVI_SOLVE_COUPLED. */
 #include "variable_step.h"
 
 #include "memory/history_kinds.h" /* FVI_VECTORS */
@@ -67,7 +70,8 @@ evaluate_right_side(const fvi_variable_step_state *o, size_t j, fvi_four *right)
 {
     const size_t d = o->d;
     const int has_eight_stages = o->rule->s == 8;
-    const double h = o->length.h, *g = o->gradient + j, *g4 = g + 4 * d;
+    const double h = o->length.h;
+    const double *g = o->gradient + j, *g4 = g + 4 * d; /* of coordinate j at the first and at the fifth stage */
     const fvi_four *R = (const fvi_four *)(o->R + j * FVI_LANES);
     right[0] = R[0] - h * (fvi_four){ g[0], g[d], g[2 * d], g[3 * d] };
     right[1] = R[1]
@@ -101,7 +105,7 @@ largest_or_nan(const fvi_four *most, const fvi_four *all)
 
 /* ---- when to stop ---- */
 
-typedef enum { DIVERGES = -1, IS_ACCURATE = 0, GOES_ON = 1 } verdict;
+typedef enum { DIVERGES, IS_ACCURATE, GOES_ON } verdict;
 
 /* Decide whether the iteration goes on. The last change moved x by `moved` = h |change of delta|, the change before by
  * moved_before. Their ratio q is the contraction. The changes still to come move x by moved q / (1 - q). Enough is 1e-5
@@ -140,7 +144,7 @@ FVI_VECTORS static void compute_jacobian(const fvi_variable_step_state *o, size_
 {
     const size_t d = o->d, stages = o->rule->s;
     const double hh = o->length.h * o->length.h;
-    const double *H0 = o->hessian + j, *H4 = H0 + 4 * d;
+    const double *H0 = o->hessian + j, *H4 = H0 + 4 * d; /* of coordinate j at the first and at the fifth stage */
     const fvi_four H[2] = {
         hh * (fvi_four){ H0[0], H0[d], H0[2 * d], H0[3 * d] },
         hh
