@@ -28,7 +28,7 @@ typedef fvi_estimation_work search;
 /* Set the start of search number `start`. Start 0 has the values of the run. The other starts are points of Sobol's
  * sequence in the box from low to high, uniform in the logarithm of a parameter that is positive and no order. */
 static void set_start(search *o, const double *low, const double *high,
-                  gsl_qrng *sobol, size_t start)
+                      gsl_qrng *sobol, size_t start)
 {
     double share[FVI_ESTIMATION_MOST]; /* of each side of the box, between 0 and 1 */
     fvi_estimation_model *m = &o->model;
@@ -169,7 +169,7 @@ static size_t count_agreeing_starts(const search *o, const place *best,
 
 /* Return nonzero if some parameter of u is farther than a standard deviation from theta. */
 static int is_far_from(const search *o, const double *u, const double *theta,
-                            const double *sd)
+                       const double *sd)
 {
     for (size_t j = 0; j < o->fdf.p; j++)
         if (fabs(fvi_estimation_u_to_theta(&o->model, j, u[j]) - theta[j]) > sd[j])

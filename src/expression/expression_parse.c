@@ -234,7 +234,7 @@ static int parse_call(parser *p, fvi_operation op)
 /* Return the number, from 0, of the name among the variables x1, ..., xd, if `variable` is "x"; for d = 1 also of x
  * alone. Return -1 if the name is none of them. */
 static int find_numbered_variable(const char *variable, size_t d, const char *at,
-                    size_t length)
+                                  size_t length)
 {
     const size_t stem = strlen(variable);
     if (d == 1 && is_word(at, length, variable))

@@ -40,7 +40,7 @@ static double complex conjugate_product(size_t d, const double complex *x,
 
 /* Compute form[l] = v^T A_l v for each term l of Z. The matrices A_l are M, K and the B_j of the dampings. */
 static void compute_forms(const fvi_response *r, const double complex *v,
-                       double complex *form)
+                          double complex *form)
 {
     for (size_t l = 0; l < r->terms; l++) {
         const fvi_sparse *A = r->term[l].matrix;
@@ -62,8 +62,8 @@ typedef struct {
 
 /* Compute v^T Z(s) v from the forms of v. */
 static scalar_stiffness evaluate_scalar_stiffness(const fvi_response *r,
-                                     const double complex *form,
-                                     double complex s)
+                                                  const double complex *form,
+                                                  double complex s)
 {
     scalar_stiffness f = { .undamped = s * s * form[0] + form[1],
                            .undamped_slope = 2 * s * form[0] };
@@ -79,7 +79,7 @@ static scalar_stiffness evaluate_scalar_stiffness(const fvi_response *r,
 
 /* Return the zero of v^T Z(s) v near s in the upper half plane, by Newton's method for one unknown. */
 static double complex find_zero_of_form(const fvi_response *r,
-                               const double complex *form, double complex s)
+                                        const double complex *form, double complex s)
 {
     for (int i = 0; i < 30; i++) {
         const scalar_stiffness f = evaluate_scalar_stiffness(r, form, s);
@@ -99,7 +99,7 @@ static double complex find_zero_of_form(const fvi_response *r,
 /* Replace v by Z^-1 Z' v at s, scaled so that its largest number is 1. At a pole Z has no inverse. If the factors say
  * so, s moves by some rounding errors. `room` has d numbers. */
 static int update_shape(fvi_response *r, double complex *s, double complex *v,
-                         double complex *room)
+                        double complex *room)
 {
     int status = fvi_stiffness_factorise(r, *s, 1);
     for (int i = 0; status == FVI_ESING && i < 4; i++) {
@@ -156,7 +156,7 @@ static void compute_residual(fvi_response *r, fvi_pole_candidate *p, double comp
  * becomes Z(s)^-1 Z'(s) v. End when s does not change, or when its steps are rounding errors and no longer shrink.
  * `room` has d numbers, and `form` has one for each term of Z. */
 static int alternate_pole_and_shape(fvi_response *r, fvi_pole_candidate *p,
-                       double complex *room, double complex *form)
+                                    double complex *room, double complex *form)
 {
     double last_step = HUGE_VAL;
     for (int i = 0; i < 50; i++) {
@@ -236,7 +236,7 @@ typedef struct {
  * and the shape to p->w. With x = Z^-1 Z' w, Newton's step of z is -w^* w / w^* x, and the next w is x / |x|. Return
  * FVI_SUCCESS, FVI_EMAXITER, FVI_ENOMEM or what fvi_stiffness_factorise returns. */
 static int correct_pole_and_shape(fvi_response *r, damping_path *p, double e, double complex guess,
-                        double complex *z)
+                                  double complex *z)
 {
     const size_t d = r->d;
     *z = guess;

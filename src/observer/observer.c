@@ -27,7 +27,7 @@ int fvi_observer_velocity(const fvi_observer *o, const fvi_stepper *s,
 /* Add the work of an impulse J on the momenta to *work: J times the mean of the velocities before and after it. s->p is
  * p after it, so the mean belongs to the momentum p - J/2. o->a and o->v are used as room. */
 static int add_work_of_impulse(fvi_observer *o, const fvi_stepper *s, const double *J,
-                       double *work)
+                               double *work)
 {
     int status = FVI_SUCCESS;
     for (size_t j = 0; j < o->d; j++)
@@ -134,7 +134,7 @@ static int add_step(fvi_observer *o, const fvi_stepper *s)
 /* ---- steps that the method chooses ---- */
 
 int fvi_observer_hits(fvi_observer *o, const fvi_stepper *s, double *known,
-                    double *by_force)
+                      double *by_force)
 {
     const fvi_variable_step_state *state = s->method_state;
     int status = FVI_SUCCESS;

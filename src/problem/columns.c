@@ -82,8 +82,8 @@ static int check_name(const char *field, const char *name,
 
 /* Parse the expression of a column. A single word that means several numbers is refused. */
 static int parse_column_expression(const char *field, const char *text,
-                      fvi_user_parameters *parameters, fvi_typed_columns *c,
-                      fvi_expression **e, fvi_error *error)
+                                   fvi_user_parameters *parameters, fvi_typed_columns *c,
+                                   fvi_expression **e, fvi_error *error)
 {
     const fvi_name_finder finder = { fvi_find_or_add_quantity, c };
     fvi_quantity q;
@@ -112,8 +112,8 @@ char *fvi_trimmed_copy(const char *text, size_t length)
 }
 
 int fvi_parse_column_item(const char *field, const char *text, size_t length,
-                    fvi_user_parameters *parameters, fvi_typed_columns *c,
-                    fvi_typed_column *column, fvi_error *error)
+                          fvi_user_parameters *parameters, fvi_typed_columns *c,
+                          fvi_typed_column *column, fvi_error *error)
 {
     const char *equals = memchr(text, '=', length);
     const char *begin = equals ? equals + 1 : text;
@@ -158,7 +158,7 @@ static int add_column(fvi_typed_columns *c, fvi_typed_column column,
 /* Add a column for each number that a word means, as x1, x2, ... for x. If the user has chosen coordinates to be shown,
  * add only those. A name of more than 90 letters is cut. */
 static int add_all_coordinates(const char *word, size_t length, fvi_quantity q,
-                   const char *list, fvi_typed_columns *c, fvi_error *error)
+                               const char *list, fvi_typed_columns *c, fvi_error *error)
 {
     const int are_chosen =
         c->source->shown && q.kind != QUANTITY_MULTIPLIER
@@ -181,8 +181,8 @@ static int add_all_coordinates(const char *word, size_t length, fvi_quantity q,
 
 /* Add the columns of one item of the list: of a word, or of "NAME=EXPRESSION". */
 static int add_item(const char *item, size_t length, const char *list,
-                      fvi_user_parameters *parameters, fvi_typed_columns *c,
-                      fvi_error *error)
+                    fvi_user_parameters *parameters, fvi_typed_columns *c,
+                    fvi_error *error)
 {
     fvi_quantity q;
     fvi_typed_column column;
@@ -249,7 +249,7 @@ static int evaluate_ground(const fvi_typed_columns *c, double t, double *value)
 
 /* Return the work of all dampers. Without a mechanism there is one. */
 static double sum_damper_work(const fvi_typed_columns *c,
-                        const fvi_observation *now)
+                              const fvi_observation *now)
 {
     const size_t dampers =
         c->source->mechanism ? c->source->mechanism->damper_count : 1;

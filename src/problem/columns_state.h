@@ -83,18 +83,18 @@ int fvi_find_or_add_quantity(const char *name, size_t length, void *columns);
  * kind. Return 0 if there is none, else 1.
  * fvi_quantity_width -- Return how many numbers there are of its kind; for a damper, how many this damper has. */
 int fvi_find_quantity(const fvi_typed_columns *c, const char *name,
-                    size_t length, fvi_quantity *q, int *is_all);
+                      size_t length, fvi_quantity *q, int *is_all);
 size_t fvi_quantity_width(const fvi_typed_columns *c, const fvi_quantity *q);
 
 /* fvi_refuse_unknown_column -- Refuse a word of a list that is no name. The message proposes the nearest name. Return
  * FVI_EINVAL. */
 int fvi_refuse_unknown_column(const fvi_typed_columns *c, const char *word,
-                       size_t length, fvi_error *error);
+                              size_t length, fvi_error *error);
 
 /* fvi_parse_column_item -- Parse "NAME=EXPRESSION", or an expression alone, of `length` letters, as a column. The
  * caller owns the column's name and expression. Return FVI_SUCCESS, or an error code with the error filled in. */
 int fvi_parse_column_item(const char *field, const char *text, size_t length,
-                    fvi_user_parameters *parameters, fvi_typed_columns *c,
-                    fvi_typed_column *column, fvi_error *error);
+                          fvi_user_parameters *parameters, fvi_typed_columns *c,
+                          fvi_typed_column *column, fvi_error *error);
 
 #endif

@@ -31,7 +31,7 @@ static void evaluate_right_hand_side(const fvi_exact_motion *o, source_kind whic
 
 /* Replace b by Z(s)^-1 b. */
 static int solve_stiffness(fvi_exact_motion *o, double complex s, double complex *b,
-                 fvi_error *error)
+                           fvi_error *error)
 {
     const double at[2] = { creal(s), cimag(s) };
     return fvi_response_solve(o->response, at, (double *)b, (double *)b, error);
@@ -120,7 +120,7 @@ static int evaluate_at_nodes(fvi_exact_motion *o, source_kind which, double t, f
 /* Add the exponential of a node or a pole s with the amplitude a, d numbers: x += Re(factor a), and v += Re(factor s
  * a). factor contains e^{s t}. */
 static void add_exponential(const fvi_exact_motion *o, const double complex *a, double complex s,
-                        double complex factor, const fvi_exact_sums *sums)
+                            double complex factor, const fvi_exact_sums *sums)
 {
     const double complex factor_of_velocity = factor * s;
     for (size_t i = 0; i < o->d; i++) {

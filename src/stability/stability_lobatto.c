@@ -31,7 +31,7 @@ typedef struct {
 
 /* Compute the eigenvalues of an n x n matrix with rows of FVI_STAGES numbers. a is overwritten. */
 static int compute_eigenvalues(size_t n, double a[FVI_STAGES][FVI_STAGES],
-                       double complex *lambda)
+                               double complex *lambda)
 {
     gsl_matrix_view A = gsl_matrix_view_array_with_tda(a[0], n, n, FVI_STAGES);
     fvi_quiet();
@@ -66,7 +66,7 @@ static double complex damping_symbol(const fvi_run *run, double complex lambda)
  * f(Delta) = sum_j f(lambda_j) prod_{i != j} (Delta - lambda_i)/(lambda_j - lambda_i). At z = 1 one eigenvalue is 0,
  * and its rounded value is replaced by 0. */
 static int apply_damping_symbol(size_t s, double z, const fvi_run *run,
-                 double out[FVI_STAGES][FVI_STAGES])
+                                double out[FVI_STAGES][FVI_STAGES])
 {
     const fvi_lobatto_rule *rule = fvi_lobatto(s);
     double D[FVI_STAGES][FVI_STAGES], copy[FVI_STAGES][FVI_STAGES];
@@ -249,7 +249,7 @@ static int raise_load_by_mode(const end_symbol ends[2], double W, double R, doub
  * share so that the sum is 4 times the matrix of (17.16). Where W and R commute, the modes are the same for every
  * share. */
 static int raise_load_by_all_modes(const end_symbol ends[2], double share, size_t d,
-                           const double *W, const double *R, double *load)
+                                   const double *W, const double *R, double *load)
 {
     double *V = malloc((2 * d + 5) * d * sizeof *V);
     if (!V)

@@ -53,7 +53,7 @@ static int is_direct(double beta, size_t steps, fvi_history_kind kind, int by_or
 }
 
 static int check_arguments(size_t s, double beta, size_t d, size_t steps,
-                 fvi_history_kind kind, int by_order, double tolerance)
+                           fvi_history_kind kind, int by_order, double tolerance)
 {
     if (!fvi_lobatto(s))
         FVI_FAIL("the stages must be 2 to 8", FVI_EINVAL);
@@ -75,7 +75,7 @@ static int check_arguments(size_t s, double beta, size_t d, size_t steps,
 
 /* Compute the number Q of modes and the number of stored W_n. The arguments have been checked. */
 static void choose_sizes(size_t s, double beta, size_t steps, fvi_history_kind kind,
-                 int by_order, double tolerance_used, size_t *Q, size_t *lags)
+                         int by_order, double tolerance_used, size_t *Q, size_t *lags)
 {
     const int direct = is_direct(beta, steps, kind, by_order);
     const double N = (double)steps + 1;
@@ -94,7 +94,7 @@ static double effective_tolerance(double tolerance)
 }
 
 double fvi_lobatto_history_bytes(size_t s, double beta, size_t d, size_t steps,
-                                fvi_history_kind kind, double tolerance)
+                                 fvi_history_kind kind, double tolerance)
 {
     size_t Q, lags;
     if (check_arguments(s, beta, d, steps, kind, 0, tolerance))
@@ -172,8 +172,8 @@ static void skip_near_lags(fvi_lobatto_history *m)
 
 /* Allocate a history for the power Delta^beta. */
 static int allocate_for_power(size_t s, double beta, size_t d, size_t steps,
-                    fvi_history_kind kind, int by_order, double tolerance,
-                    fvi_lobatto_history **memory)
+                              fvi_history_kind kind, int by_order, double tolerance,
+                              fvi_lobatto_history **memory)
 {
     if (!memory)
         FVI_FAIL("null pointer", FVI_EFAULT);
@@ -204,15 +204,15 @@ static int allocate_for_power(size_t s, double beta, size_t d, size_t steps,
 }
 
 int fvi_lobatto_history_alloc(size_t s, double beta, size_t d, size_t steps,
-                             fvi_history_kind kind, double tolerance,
-                             fvi_lobatto_history **memory)
+                              fvi_history_kind kind, double tolerance,
+                              fvi_lobatto_history **memory)
 {
     return allocate_for_power(s, beta, d, steps, kind, 0, tolerance, memory);
 }
 
 int fvi_lobatto_history_alloc_by_order(size_t s, double beta, size_t d, size_t steps,
-                                  fvi_history_kind kind, double tolerance,
-                                  fvi_lobatto_history **memory)
+                                       fvi_history_kind kind, double tolerance,
+                                       fvi_lobatto_history **memory)
 {
     return allocate_for_power(s, beta, d, steps, kind, 1, tolerance, memory);
 }
@@ -265,8 +265,8 @@ static int allocate_for_law(size_t s, const fvi_lobatto_kernel *ready, size_t d,
 }
 
 int fvi_lobatto_history_of_kernel(size_t s, const fvi_kernel *law, double h, size_t d,
-                              size_t steps, fvi_history_kind kind,
-                              double tolerance, fvi_lobatto_history **memory)
+                                  size_t steps, fvi_history_kind kind,
+                                  double tolerance, fvi_lobatto_history **memory)
 {
     fvi_lobatto_kernel ready;
     int status = fvi_lobatto_kernel_prepare(s, law, h, &ready);
@@ -278,7 +278,7 @@ int fvi_lobatto_history_of_kernel(size_t s, const fvi_kernel *law, double h, siz
 }
 
 int fvi_lobatto_history_copy(const fvi_lobatto_history *from,
-                            fvi_lobatto_history **to)
+                             fvi_lobatto_history **to)
 {
     fvi_lobatto_history *m = make_history(*from);
     if (!m)
@@ -333,7 +333,7 @@ int fvi_lobatto_history_push(fvi_lobatto_history *m, const double *v, double *H)
 
 //> push
 int fvi_lobatto_history_push_by_order(fvi_lobatto_history *m, const double *v,
-                                 double *H, double *Hdot)
+                                      double *H, double *Hdot)
 {
     if (!m || !v || !H)
         FVI_FAIL("null pointer", FVI_EFAULT);

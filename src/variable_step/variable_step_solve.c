@@ -113,7 +113,7 @@ typedef enum { DIVERGES, IS_ACCURATE, GOES_ON } verdict;
  * diverges if q > worst_contraction, unless `moved` is near the rounding errors, which do not contract. */
 //> enough
 static verdict judge_iteration(fvi_variable_step_state *o, int iteration, double moved,
-                           double moved_before, double worst_contraction)
+                               double moved_before, double worst_contraction)
 {
     const double floor = 4 * GSL_DBL_EPSILON * o->scale;
     if (moved <= floor)
@@ -140,7 +140,7 @@ typedef enum {
 
 /* Compute J = L + h^2 diag(H) to_x for coordinate j, with the Hessians H of all stages. */
 FVI_VECTORS static void compute_jacobian(const fvi_variable_step_state *o, size_t j,
-                                 fvi_square *J)
+                                         fvi_square *J)
 {
     const size_t d = o->d, stages = o->rule->s;
     const double hh = o->length.h * o->length.h;
