@@ -48,8 +48,10 @@ class Forces(Nodes):
         """Return G_1 to G_4 of (13.20) for rho = 1, and the sums S_1 to S_3 that the steps make of a jump, of a line
         and of the motion under a constant force."""
         w, t = weights(self.method, self.alpha, turn), [k * STEP for k in range(N + 1)]
-        exact = [[ZERO] + [dual(mpmath.rgamma(1 + i - self.tilted) * t[k] ** (i - self.tilted), turn) for k in range(1, N + 1)]
-                 for i in range(4)]
+        exact = []
+        for i in range(4):
+            factor = mpmath.rgamma(1 + i - self.tilted)
+            exact.append([ZERO] + [dual(factor * t[k] ** (i - self.tilted), turn) for k in range(1, N + 1)])
         unit = dual(STEP ** (1 - self.tilted), turn)
         theta = dict(shifted=dual(mpc(self.alpha, TINY), turn), stable=HALF).get(self.method, HALF if self.printed else ZERO)
         moved = [dual(STEP**2) * (dual(mpf(k * (k - 1)) / 2) + self.kappa * dual(mpf(k))) for k in range(N + 1)]

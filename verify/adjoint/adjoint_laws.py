@@ -8,6 +8,7 @@ Proved here:
 Printed: derivatives of runs of two masses by fvi, fvi-bdf2 and fvi-stable as they are written in the chapters, by
 dual numbers of 45 digits, with weights from complex steps of 10^-45 with 100 digits; and derivatives of runs of five
 masses with stages, form D, with the symbol differentiated by a difference over 10^-20."""
+from functools import cache
 from random import Random
 
 import mpmath
@@ -16,7 +17,7 @@ from sympy import Rational, cancel, diff, exp, integrate, log, series, simplify,
 
 from shared.adjoint_chain import D5, N as N6, LawChain, numbers
 from shared.arithmetic import HALF, TINY, UNITS, ZERO, Dual, apart, dot, dual
-from shared.damper_runs import HAS, SYMBOLS, parabola
+from shared.damper_runs import HAS, Points, parabola, products
 from shared.refgen import METHODS, claim, header, hexd, nearest, prove, table
 
 # ---- the symbols ----
@@ -94,8 +95,7 @@ def impulses(kind, a, T, e):
     """Return the impulses (26.20), h int (1 - u) q((k + u) h) du and h int u q du of all steps, where q is the
     inverse transform of C/s^2. For step 0 they are integrals of q, from the inverse transforms of C/s^3 and C/s^4."""
     points, weights = parabola(STEP, N)
-    C = [SYMBOLS[kind](s, a, T, e) for s in points]
-    return [mpmath.fdot(row, C) for row in weights]
+    return products(weights, points.symbol(kind, a, T, e))
 
 
 def growth(kind, factor, a, T, e):
@@ -223,13 +223,18 @@ for which in range(12):
 
 mp.dps = 60
 SMALL = mpf(10) ** -20
+place = cache(lambda v: Points([v]))
+
+
+def symbol_at(v, kind, *numbers):
+    return place(v).symbol(kind, *numbers)[0]
 
 
 def slope_of(kind, numbers, which):
     """Return the derivative of the symbol by one of its numbers, as a central difference; its error is of the order
     SMALL^2."""
     up, down = ([v + (sign if i == which else 0) for i, v in enumerate(numbers)] for sign in (SMALL, -SMALL))
-    return lambda v: (SYMBOLS[kind](v, *up) - SYMBOLS[kind](v, *down)) / (2 * SMALL)
+    return lambda v: (symbol_at(v, kind, *up) - symbol_at(v, kind, *down)) / (2 * SMALL)
 
 
 staged = []
@@ -240,7 +245,7 @@ for which in range(12):
                 mass=[uniform(0.5, 2) for _ in range(D5)],
                 rho=[0.0 if i == which % D5 else uniform(0, 1.5) for i in range(D5)],
                 cg=[uniform(0.5, 2), uniform(0.2, 1)])
-    plain = [lambda v, k=kind, n=tuple(map(mpf, rest)): SYMBOLS[k](v, *n) for kind, _, *rest in terms]
+    plain = [lambda v, k=kind, n=tuple(map(mpf, rest)): symbol_at(v, k, *n) for kind, _, *rest in terms]
     slopes = [(3 * number + l, slope_of(kind, list(map(mpf, rest)), number), mpf(factor))
               for number in range(3) for l, (kind, factor, *rest) in enumerate(terms) if HAS[kind][number]]
     q = {k: [dual(mpf(v)) for v in w] for k, w in data.items()}
@@ -251,8 +256,8 @@ for which in range(12):
     chain = LawChain(s, plain + [f for _, f, _ in slopes], q, STEP)  # slopes: terms of factor 0
     want = chain.slopes([("terms", i) for i in range(3 + len(slopes))])
     own, want = want[3:], want[:3] + [mpf(0)] * 9
-    for (place, _, factor), slope in zip(slopes, own):
-        want[3 + place] = factor * slope
+    for (number, _, factor), slope in zip(slopes, own):
+        want[3 + number] = factor * slope
     staged.append([f"&fvi_lobatto_d{s}", law(terms)]
                   + [doubles(data[k]) for k in ("x0", "p0", "mass", "rho", "cg")]
                   + [literal(map(nearest, want))])

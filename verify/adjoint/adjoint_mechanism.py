@@ -15,8 +15,8 @@ from mpmath import mp, mpc, mpf
 from sympy import Matrix, Rational, symbols
 
 from shared.adjoint_chain import numbers
-from shared.damper_runs import (SYMBOLS, TINY, growth_of, impulses, impulses_of_power, is_power, numbers_of, slope,
-                                symbol_of, tilted, weights)
+from shared.damper_runs import (TINY, Points, growth_of, impulses, impulses_of_power, is_power, numbers_of, products, slope,
+                                tilted, weights, weights_of)
 from shared.refgen import METHODS, header, hexd, initial_history, nearest, prove, table
 
 # ---- (23.29), (23.30) ----
@@ -85,9 +85,10 @@ def table_of(s, form):
 
 @cache
 def eigen(s):
-    """Return points z of a circle, and the eigenvalues and eigenvectors of Delta(z) there."""
+    """Return the eigenvalues of Delta(z)/h at all points z of a circle, and for each n and each entry of W_n the weights
+    of a function of these eigenvalues."""
     c, b, D_, inverse_A = numbers(s)[:4]
-    found = []
+    found, roots = [], []
     for j in range(32):
         z = mpf(1) / 100 * mpmath.expjpi(mpf(2 * j) / 32)
         M = mpmath.matrix(s, s)
@@ -95,19 +96,21 @@ def eigen(s):
             for l in range(s):
                 M[i, l] = inverse_A[i, l] - (z / b[0] if (i, l) == (0, s - 1) else 0)
         values, V = mpmath.eig(M)
-        found.append((z, values, V, V**-1))
-    return found
+        back = V**-1
+        # Entry (i, l) of a function of Delta(z) is the sum of s of these times its values at the eigenvalues.
+        found.append((z, [V[i, e] * back[e, l] for i in range(s) for l in range(s) for e in range(s)]))
+        roots += [v / STEP for v in values]
+    shares = [[weights_of([v * z**-n / 32 for z, by in found for v in by[entry * s:entry * s + s]])
+               for entry in range(s * s)] for n in range(N)]
+    return Points(roots), shares
 
 
 @cache
 def stage_weights(s, terms):
-    C = symbol_of(terms)
-    W = [mpmath.zeros(s, s) for _ in range(N)]
-    for z, values, V, back in eigen(s):
-        F = V * mpmath.diag([C(v / STEP) / (v / STEP) for v in values]) * back
-        for n in range(N):
-            W[n] += F * (z**-n / 32)
-    return W
+    points, shares = eigen(s)
+    values = [C / v for C, v in zip(points.law(terms), points.points)]
+    return [mpmath.matrix([found[s * i:s * i + s] for i in range(s)])
+            for found in (products(rows, values) for rows in shares)]
 
 
 def stage_impulses(s, rho, e):

@@ -11,6 +11,7 @@ The inequality (20.3) for all n and gamma is proved by hand, by the convexity of
 random n and gamma."""
 import cmath
 import random
+from functools import cache
 
 import mpmath
 from mpmath import mp, mpf
@@ -81,12 +82,14 @@ mp.dps = 40
 random.seed(20)
 
 
+@cache
 def quotient(n, order):
     """Return c_n = Gamma(n + gamma) / Gamma(n)."""
     return mpmath.gammaprod([n + mpf(order)], [n]) if n < 10**6 else \
         mpmath.exp(mpmath.loggamma(n + mpf(order)) - mpmath.loggamma(n))
 
 
+@cache
 def excess(n, order):
     """Return c_n (n + (gamma - 1)/2) - n^(gamma + 1), which is (20.4) without its powers of h."""
     order = mpf(order)

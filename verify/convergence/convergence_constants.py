@@ -5,6 +5,7 @@ the tests. The constants K and E of (20.22) are those of tests/convergence/conve
 convergence_stages.py proves."""
 import pathlib
 import re
+from functools import cache
 
 from mpmath import exp, expj, fabs, gamma, linspace, log, mp, mpf, pi, quad, sin
 from sympy import binomial, factorial
@@ -41,14 +42,24 @@ def misses(s, t, which):
     return most
 
 
+@cache
+def rate_and_decay(u):
+    """Return sigma = exp(u) and exp(-sigma/2). All integrals over the rates have the same points u."""
+    rate = exp(u)
+    return rate, exp(-rate / 2)
+
+
 def rate_integral(j, theta, more):
     """Return G_j, or with more = 1 its second form: the bound of the j-th derivative of psi at t = 1, integrated over
     all rates."""
-    A = lambda i: derivatives(i)[0]
-    low = lambda u: exp(u * (1 + more - theta)) * (
-        exp(u * (j - 1)) * (exp(-exp(u) / 2) - exp(-exp(u))) * A(0)
-        + sum(exp(u * (j - 1 - i)) * exp(-exp(u) / 2) * A(i) * 2**i for i in range(j)))
-    rest = 0 if more else A(j) * 2**j * gamma(1 - theta) / theta * mpf(2)**-theta
+    A = [derivatives(i)[0] for i in range(j + 1)]
+
+    def low(u):
+        rate, decayed = rate_and_decay(u)
+        return exp(u * (1 + more - theta)) * (
+            rate**(j - 1) * (decayed - decayed**2) * A[0]
+            + decayed * sum(rate**(j - 1 - i) * A[i] * 2**i for i in range(j)))
+    rest = 0 if more else A[j] * 2**j * gamma(1 - theta) / theta * mpf(2)**-theta
     return quad(low, linspace(-240, 8, 63)) + rest
 
 
@@ -101,22 +112,31 @@ def bound_of_stages(s, alpha, r, lipschitz, eps, h):
 
 
 #> graded
-def graded_bound(m, c, rho, alpha, x0, v0, s, h, order):
-    """Return (20.20), inserted in the integral of (20.16) over the cut: the bound of x (order 0) or of v (order 1)."""
+@cache
+def missed(s, h, sigma):
+    """Return the error of s stages for the rate sigma, the sum over all steps."""
     P = [mpf(int(binomial(s - 2, i) * factorial(2 * s - 2 - i))) / int(factorial(2 * s - 2)) for i in range(s - 1)]
     Q = [(-1)**i * mpf(int(binomial(s, i) * factorial(2 * s - 2 - i))) / int(factorial(2 * s - 2)) for i in range(s + 1)]
     R = lambda z: sum(a * z**i for i, a in enumerate(P)) / sum(a * z**i for i, a in enumerate(Q))
     C = CONSTANTS[s - 2][0]
     miss = lambda nu: C * nu**(2 * s - 1) if nu < 0.25 else fabs(R(-nu) - exp(-nu))   # (20.17) or exact
-    starts = [sum(map(mpf, h[:k]), mpf(0)) for k in range(len(h))]
+    return sum(miss(sigma * mpf(l)) * exp(-sigma * sum(map(mpf, h[:k]), mpf(0))) for k, l in enumerate(h))
 
+
+@cache
+def on_cut(m, c, rho, alpha, x0, v0, u):
+    """Return sigma = exp(u), and the factor of the step errors in the integral over u."""
+    sigma = exp(u)
+    k = fabs((1 / (m * sigma**2 + c + rho * sigma**(2 * mpf(alpha)) * expj(2 * pi * alpha))).imag) / pi
+    J = fabs(c * x0 / sigma + m * v0) if alpha < 0.5 else fabs(c * x0 / sigma - c * v0 / sigma**2)
+    return sigma, sigma * k * J
+
+
+def graded_bound(row, s, h, order):
+    """Return (20.20), inserted in the integral of (20.16) over the cut: the bound of x (order 0) or of v (order 1)."""
     def at(u):
-        sigma = exp(u)
-        on_cut = m * sigma**2 + c + rho * sigma**(2 * mpf(alpha)) * expj(2 * pi * alpha)
-        k = fabs((1 / on_cut).imag) / pi
-        J = fabs(c * x0 / sigma + m * v0) if alpha < 0.5 else fabs(c * x0 / sigma - c * v0 / sigma**2)
-        missed = sum(miss(sigma * mpf(l)) * exp(-sigma * t) for l, t in zip(h, starts))
-        return sigma * k * J * sigma**order * missed
+        sigma, factor = on_cut(*row, u)
+        return factor * sigma**order * missed(s, h, sigma)
 
     corners = sorted(log(mpf(0.25) / mpf(l)) for l in set(h))
     return quad(at, [*linspace(-30, corners[0], 40), *corners[1:], *linspace(corners[-1] + 1, 40, 40)])
@@ -137,5 +157,5 @@ table("ref_bounds", "size_t s; double alpha, r, lipschitz, eps, E, X, lambda;",
       [[row[0], *map(hexd, row[1:]), *(repr(float(f"{float(v):.12g}")) for v in bound_of_stages(*row, H))] for row in STAGES])
 print("\n/* (20.20) for steps eight times as long, of x and of v. */")
 table("ref_graded", "double m, c, rho, alpha, x0, v0; size_t s; double x, v;",
-      [[*map(hexd, row), s, *(repr(float(f"{float(graded_bound(*row, s, LONG, order)):.8g}")) for order in range(2))]
+      [[*map(hexd, row), s, *(repr(float(f"{float(graded_bound(row, s, LONG, order)):.8g}")) for order in range(2))]
        for row in SPRINGS for s in (2, 3)])

@@ -13,6 +13,7 @@ That the sums of (20.16) to (20.25) hold for every number of steps is proved by 
 import cmath
 import math
 import random
+from functools import reduce
 
 import mpmath
 from mpmath import mp, mpf
@@ -120,21 +121,23 @@ def times(p, q):
 def peano(s, row, end, order):
     """Return the largest |Peano kernel| for f^(order) of the rule that replaces the integral of f from 0 to end by
     sum row_l f(c_l). Between nodes it is a polynomial, so 400 points are tried and the largest is refined."""
-    c = rule_of(s)[0]
-
-    def kernel(tau):
-        value = max(end - tau, mpf(0))**order / mpmath.factorial(order)
-        return abs(value - sum(r * (v - tau)**(order - 1) for r, v in zip(row, c) if v > tau)
-                   / mpmath.factorial(order - 1))
-    best = mpf(0)
+    c, best = rule_of(s)[0], mpf(0)
     for left, right in zip(c, c[1:]):
+        # Coefficients of the powers of tau, the highest first. Doubles are enough to find the largest of 400 points.
+        powers = lambda n, v: [mpmath.binomial(n, i) * v**(n - i) * (-1)**i / mpmath.factorial(n) for i in range(n, -1, -1)]
+        whole = powers(order, end) if end > left else [mpf(0)] * (order + 1)
+        for r, v in zip(row, c):
+            if v > left:
+                whole = [a - r * b for a, b in zip(whole, [0, *powers(order - 1, v)])]
+        rough = [float(a) for a in whole]
+        kernel = lambda tau, whole: abs(reduce(lambda value, a: value * tau + a, whole))
         width = (right - left) / 400
         points = [left + k * width for k in range(1, 400)] + [left + width * mpf(10)**-30, right - width * mpf(10)**-30]
-        top = max(points, key=kernel)
+        top = max(points, key=lambda tau: kernel(float(tau), rough))
         for _ in range(60):
             points = [top - width, top - width / 2, top, top + width / 2, top + width]
-            top, width = max((p for p in points if left < p < right), key=kernel), width / 2
-        best = max(best, kernel(top))
+            top, width = max((p for p in points if left < p < right), key=lambda tau: kernel(tau, whole)), width / 2
+        best = max(best, kernel(top, whole))
     return best
 
 

@@ -22,7 +22,7 @@ binomial coefficients."""
 from fractions import Fraction as Q
 
 import mpmath
-from sympy import Function, Rational, Symbol, diff, integrate, limit, pi, series, simplify, sqrt, symbols
+from sympy import Function, Rational, Symbol, cos, diff, integrate, limit, pi, series, simplify, sin, sqrt, symbols
 from sympy import exp as sympy_exp
 
 from shared.refgen import array, claim, header, hexd, hexd_real, nearest, prove, table
@@ -66,7 +66,9 @@ prove("(3c) stationary: the momentum after a step is the momentum before the nex
 
 # D_-^(1/2) t = 2 sqrt(t/pi) and D_+^(1/2) (t - 1) = -2 sqrt((1 - t)/pi), each of the path minus its held end.
 damping = Rational(1, 2) * 4 * sqrt(t * (1 - t)) / pi
-prove("(4c) the action of x = t, y = t - 1", Rational(1, 2) + Rational(1, 2) + integrate(damping, (t, 0, 1)) - Rational(5, 4))
+q = symbols("q", positive=True)  # t = sin(q)^2: sqrt(t (1 - t)) = sin q cos q, and dt = 2 sin q cos q dq
+in_q = damping.subs(sqrt(t * (1 - t)), sin(q) * cos(q)) * 2 * sin(q) * cos(q)
+prove("(4c) the action of x = t, y = t - 1", Rational(1, 2) + Rational(1, 2) + integrate(in_q, (q, 0, pi / 2)) - Rational(5, 4))
 bump = 4 * t ** 2 * (1 - t)
 # Two half derivatives are a derivative, so the change of the damping term is rho int (x' dy + y' dx).
 change_of_x = integrate(diff(bump, t) * 1, (t, 0, 1)) + Rational(1, 2) * integrate(bump, (t, 0, 1))

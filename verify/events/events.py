@@ -11,6 +11,8 @@ impact does not change the memory. So the contributions of impacts at t_k that c
 
 with Mittag-Leffler's E. Each t_k is a root of x, and d_k = -(1 + e) v(t_k). Without damping the t_k are sqrt(2) (1 +
 2 (e + e^2 + ...)), exactly."""
+from functools import cache
+
 import sympy
 from mpmath import gamma, mp, mpf, sqrt
 
@@ -34,11 +36,18 @@ claim("the energy that an impact takes",
 
 
 # ---- the ball ----
+@cache
+def coefficient(order, shift, k):
+    """Return the coefficient of z^k, which all arguments share."""
+    return 1 / gamma(order * k + shift)
+
+
 def mittag_leffler(order, shift, z):
-    total, k = mpf(0), 0
+    total, power, k = mpf(0), mpf(1), 0
     while True:
-        term = z**k / gamma(order * k + shift)
+        term = power * coefficient(order, shift, k)
         total += term
+        power *= z
         k += 1
         if k > 10 and abs(term) < mpf(10) ** -38:
             return total

@@ -4,7 +4,7 @@ from mpmath import gamma, mp, mpf
 from sympy import (Function, Matrix, Rational, S, Symbol, cos, diag, diff, expand, integrate, simplify, sin, sqrt, symbols,
                    zeros)
 
-from shared.refgen import claim, header, hexd_real, prove
+from shared.refgen import claim, header, hexd_real, prove, prove_rational
 
 h, rho = symbols("h rho", positive=True)
 g = Function("g")
@@ -136,8 +136,8 @@ def at(e, place, slope):
 middle, slope = (xk + xn) / 2, (xn - xk) / h
 left = at(Lv_, middle, slope) - h / 2 * at(La_, middle, slope) + h / 2 * at(grad, xk, slope) * lam
 right = at(Lv_, middle, slope) + h / 2 * at(La_, middle, slope) - h / 2 * at(grad, xn, slope) * lam
-prove("(29.14) the node scheme keeps angular momentum", simplify(((right.T * R * xn) - (left.T * R * xk))[0]))
-prove("(29.14) L and g have no torque", simplify((La_.T * R * a + Lv_.T * R * v)[0]), simplify((grad.T * R * a)[0]))
+prove("(29.14) the node scheme keeps angular momentum", ((right.T * R * xn) - (left.T * R * xk))[0])
+prove("(29.14) L and g have no torque", (La_.T * R * a + Lv_.T * R * v)[0], (grad.T * R * a)[0])
 # Form M: sum_i R_i . Xi X_i = 0 for any matrix D, as L_x . Xi x + L_v . Xi v = 0 at each stage.
 s = 3
 Ds = Matrix(s, s, lambda i, j: Symbol(f"D{i}{j}"))
@@ -211,19 +211,19 @@ def dot(left, right):
 
 lam = -(1 + e) * (dot(n, v) + Z_t) / dot(n, P * n)
 after = v + lam * P * n
-prove("(29.22) the constraint's velocity does not jump", simplify(dot(c, after - v)))
-prove("(29.22) the speed of Z turns round", simplify(dot(n, after) + Z_t + e * (dot(n, v) + Z_t)))
+prove_rational("(29.22) the constraint's velocity does not jump", dot(c, after - v))
+prove_rational("(29.22) the speed of Z turns round", dot(n, after) + Z_t + e * (dot(n, v) + Z_t))
 w_tie = lam * dot(c, Mi * n) / dot(c, Mi * c)
-prove("(29.22) the jump of p is one along n and one along c", *(M3 * (after - v) - lam * n + w_tie * c).applyfunc(simplify))
+prove_rational("(29.22) the jump of p is one along n and one along c", *(M3 * (after - v) - lam * n + w_tie * c))
 free = v - (1 + e) * (dot(n, v) + Z_t) / dot(n, Mi * n) * Mi * n
-prove("(29.21) without a constraint", simplify(dot(n, free) + Z_t + e * (dot(n, v) + Z_t)))
+prove_rational("(29.21) without a constraint", dot(n, free) + Z_t + e * (dot(n, v) + Z_t))
 held = P * M3 * v                                    # any velocity with c . v = 0
 bounced = held - 2 * dot(n, held) / dot(n, P * n) * P * n
-prove("with e = 1 no energy is lost", simplify(dot(bounced, M3 * bounced) - dot(held, M3 * held)))
+prove_rational("with e = 1 no energy is lost", dot(bounced, M3 * bounced) - dot(held, M3 * held))
 # In coordinates of the surface, x = phi(q) with two slopes T, c . T = 0, the impact is (29.21) of T^T M T and T^T n.
 T = Matrix([[c[1], c[2]], [-c[0], 0], [0, -c[0]]])
 prove("the slopes lie in the surface", *(c.T * T))
-prove("(29.22) is (29.21) in coordinates of the surface", *(P - T * (T.T * M3 * T).inv() * T.T).applyfunc(simplify))
+prove_rational("(29.22) is (29.21) in coordinates of the surface", *(P - T * (T.T * M3 * T).inv() * T.T))
 tau, push = Matrix([Rational(1, 2), sqrt(3) / 2]), Matrix([-1, 0])
 hit = 2 * tau - Rational(3, 2) * dot(push, 2 * tau) / dot(push, tau)**2 * tau * dot(tau, push)
 prove("the bob of the page", *(hit + tau), -Rational(3, 2) * dot(push, 2 * tau) / dot(push, tau)**2 - 6)

@@ -8,7 +8,9 @@ spring 1, at a point without mass at 0 that C holds: x1'' = x2 - x1 and C(D) x2 
 along Talbot's contour, with two numbers of nodes that must agree. The responses of a law to 1, t and t^2/2 are
 (26.21), the inverse transforms of C/s^m. Claimed: for a Maxwell element they agree with the integrals of exp(-t/T),
 and the oscillator with a Maxwell element is the solution of three linear equations of first order."""
-from mpmath import exp, expm, invertlaplace, matrix, mp, mpf, quad
+from functools import cache
+
+from mpmath import cot, exp, expm, log, matrix, mp, mpc, mpf, quad, workdps
 
 from shared.refgen import claim, header, nearest as nearest_of, table
 
@@ -41,43 +43,70 @@ LAWS += [zener(0.75, 0.6, 8 * H), zener(0.75, 0.9, 8 * H),
 LAWS += [("POWER", mpf(0.75), double(a), mpf(0), mpf(0), mpf(0)) for a in (0.05, 0.25, 0.4, 0.5, 0.6, 0.9)]
 
 
-def symbol(law, s):
+def symbol(law, s, L):
+    """Return C(s), where L = ln s."""
     kind, rho, alpha, time, end, dashpot = law
     a = 2 * alpha
-    value = {"POWER": lambda: s**a,
-             "ZENER": lambda: s**a / (1 + time * s**a),
+    value = {"POWER": lambda: exp(a * L),
+             "ZENER": lambda: 1 / (exp(-a * L) + time),
              "MAXWELL": lambda: s / (1 + time * s),
-             "MAXWELL2": lambda: s**a / (1 + time * s**(2 * (alpha - end))),
+             "MAXWELL2": lambda: 1 / (exp(-a * L) + time * exp(-2 * end * L)),
              "DAVIDSON": lambda: (s / (1 + time * s))**a,
-             "DISTRIBUTED": lambda: (s**(2 * end) - s**a) / (2 * mp.log(s))}[kind]()
+             "DISTRIBUTED": lambda: (exp(2 * end * L) - exp(a * L)) / (2 * L)}[kind]()
     return rho * value + dashpot * s
 
 
-def inverse(F, t):
-    """Return f(t) to 20 digits. Contours of 60 and of 75 nodes must agree."""
-    first, second = (invertlaplace(F, t, method="talbot", degree=n) for n in (60, 75))
+@cache
+def talbot(n):
+    """Return points and weights of Talbot's contour for t = 1: f(1) is the real part of sum weight F(point)."""
+    points, weights = [mpf(2 * n) / 5], [exp(mpf(2 * n) / 5) / 5]
+    for k in range(1, n):
+        angle = k * mp.pi / n
+        slope = cot(angle)
+        points.append(2 * k * mp.pi / 5 * mpc(slope, 1))
+        weights.append(mpc(1, angle * (1 + slope**2) - slope) * exp(points[-1]) * 2 / 5)
+    return points, weights
+
+
+@cache
+def contour(t, n):
+    """Return the points of the contour for t, their logarithms and their weights."""
+    points, weights = talbot(n)
+    return [(p / t, log(p / t), w / t) for p, w in zip(points, weights)]
+
+
+@cache
+def symbols(law, t, n):
+    """Return C(s) at these points. The forces of all starts share it."""
+    return [symbol(law, s, L) for s, L, _ in contour(t, n)]
+
+
+def inverse(F, law, t):
+    """Return f(t) to 20 digits, the inverse of F(s, C(s)). Contours of 60 and of 75 nodes must agree."""
+    with workdps(80):
+        first, second = (sum((w * F(s, C)).real for (s, _, w), C in zip(contour(t, n), symbols(law, t, n)))
+                         for n in (60, 75))
     claim("Talbot's contour has enough nodes", abs(first - second) <= mpf(10)**-26 * (abs(first) + mpf(10)**-6))
     return second
 
 
 def force(law, x0, v0, t):
-    return inverse(lambda s: symbol(law, s) * (v0 - c * x0 / s) / (s**2 + c + symbol(law, s)), t)
+    return inverse(lambda s, C: C * (v0 - c * x0 / s) / (s**2 + c + C), law, t)
 
 
 def force_of_jump(law, x0, v0, t):
-    return inverse(lambda s: symbol(law, s) * (s * x0 + v0) / (s**2 + c + symbol(law, s)), t)
+    return inverse(lambda s, C: C * (s * x0 + v0) / (s**2 + c + C), law, t)
 
 
 def massless(law, t):
     """Return x2', x2'', the force of the element that holds the point, and x2."""
-    def X(s):
-        C = symbol(law, s)
+    def X(s, C):
         return s / (s**2 * (1 + C) + C)
-    return [inverse(F, t) for F in (lambda s: s * X(s), lambda s: s**2 * X(s), lambda s: symbol(law, s) * X(s), X)]
+    return [inverse(F, law, t) for F in (lambda s, C: s * X(s, C), lambda s, C: s**2 * X(s, C), lambda s, C: C * X(s, C), X)]
 
 
 def responses(law, t):
-    return [inverse(lambda s, m=m: symbol(law, s) / s**m, t) for m in (1, 2, 3, 4)]
+    return [inverse(lambda s, C, m=m: C / s**m, law, t) for m in (1, 2, 3, 4)]
 
 
 def near(a, b):

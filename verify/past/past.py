@@ -108,6 +108,12 @@ def lagrange(nodes, i, digits):
     return coefficients
 
 
+@cache
+def power(k, q, digits):
+    """Return k^q with this number of digits. The stages of all steps share them."""
+    return mpf(k) ** q if k else mpf(0)
+
+
 def impulse(alpha, k, nodes, i):
     """Return (19.5): int_0^1 l_i(s) (k + s)^e / Gamma(1 + e) ds."""
     e = -2 * mpf(alpha) if alpha < 0.5 else 1 - 2 * mpf(alpha)
@@ -118,7 +124,7 @@ def impulse(alpha, k, nodes, i):
         for j in range(degree + 1):
             q = e + j + 1
             total += (coefficient * int(binomial(degree, j)) * mpf(-k) ** (degree - j)
-                      * (mpf(k + 1) ** q - (mpf(k) ** q if k else 0)) / q)
+                      * (power(k + 1, q, mp.dps) - power(k, q, mp.dps)) / q)
     return total / mpmath.gamma(1 + e)
 #< impulses
 

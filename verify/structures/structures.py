@@ -2,7 +2,7 @@
 structure's mode as a single oscillator."""
 import functools
 
-from mpmath import cos, cosh, cot, exp, findroot, lu_solve, matrix, mp, mpc, mpf, pi
+from mpmath import cos, cosh, cot, exp, findroot, mp, mpc, mpf, pi
 from sympy import Matrix, Rational, cos as c_, diff, eye, integrate, series, sin as s_, symbols
 
 from shared.refgen import claim, header, hexd_real, prove, table
@@ -83,16 +83,17 @@ def stretch(n):
     return [1 if i == n - 1 else -1 if i == n - 2 else 0 for i in range(storeys)]
 
 
-def dynamic_stiffness(s):
-    T = matrix(storeys, storeys)
-    for n in range(1, storeys + 1):
-        row, k = stretch(n), stiff + (between[n](s) if n in between else 0)
-        for i in range(storeys):
-            for j in range(storeys):
-                T[i, j] += k * row[i] * row[j]
-    for i in range(storeys):
-        T[i, i] += s * s
-    return T
+def response(s, laws, load):
+    """Return y of T(s) y = load. Only neighbouring storeys act on each other, so T has three diagonals."""
+    k = [stiff + laws.get(n, 0) for n in range(1, storeys + 1)] + [0]
+    pivots, y = [], []
+    for n in range(storeys):
+        ratio = k[n] / pivots[-1] if n else 0
+        pivots.append(s * s + k[n] + k[n + 1] - k[n] * ratio)
+        y.append(load[n] + (ratio * y[-1] if n else 0))
+    for n in reversed(range(storeys)):
+        y[n] = (y[n] + (k[n + 1] * y[n + 1] if n + 1 < storeys else 0)) / pivots[n]
+    return y
 
 
 def spring_force(i):
@@ -106,21 +107,22 @@ def building(t, digits):
     120 / t."""
     mp.dps = digits + 60
     nodes = 5 * digits + 150
-    total = [mpf(0)] * (3 * storeys + 2 * len(between))
+    total, springs = [mpf(0)] * (3 * storeys + 2 * len(between)), [spring_force(i) for i in range(storeys)]
     for n in range(nodes):
         angle = pi * (n + mpf(1) / 2) / nodes
         radius = mpf(2) * nodes / 5 / t
         s = radius * angle * (cot(angle) + mpc(0, 1))
         slope = radius * (cot(angle) - angle / mp.sin(angle)**2 + mpc(0, 1))
-        y = lu_solve(dynamic_stiffness(s), matrix([v_start[i] - spring_force(i) / s for i in range(storeys)]))
+        laws, weight = {n: law(s) for n, law in between.items()}, exp(s * t) * slope / nodes
+        y = response(s, laws, [v_start[i] - springs[i] / s for i in range(storeys)])
         for i in range(storeys):
-            total[i] += (exp(s * t) * y[i] * slope).imag / nodes
-            total[storeys + i] += (exp(s * t) * s * y[i] * slope).imag / nodes
-            total[2 * storeys + i] += (exp(s * t) * s * s * y[i] * slope).imag / nodes
-        for j, (n, law) in enumerate(between.items()):
-            force = law(s) * sum(r * part for r, part in zip(stretch(n), y))
-            total[3 * storeys + j] += (exp(s * t) * force * slope).imag / nodes
-            total[3 * storeys + len(between) + j] += (exp(s * t) * force / s * slope).imag / nodes
+            total[i] += (weight * y[i]).imag
+            total[storeys + i] += (weight * s * y[i]).imag
+            total[2 * storeys + i] += (weight * s * s * y[i]).imag
+        for j, (n, law) in enumerate(laws.items()):
+            force = law * (y[n - 1] - (y[n - 2] if n > 1 else 0))
+            total[3 * storeys + j] += (weight * force).imag
+            total[3 * storeys + len(between) + j] += (weight * force / s).imag
     return [x_start[i] + total[i] for i in range(storeys)] + total[storeys:]
 
 
