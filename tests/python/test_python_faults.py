@@ -266,7 +266,7 @@ def test_an_interrupt_ends_what_lasts(name):
                                preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
     try:
         assert process.stdout.readline() == "begun\n"
-        time.sleep(0.4)
+        time.sleep(0.2)
         sent = time.monotonic()
         process.send_signal(signal.SIGINT)
         rest, _ = process.communicate(timeout=60)

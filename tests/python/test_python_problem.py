@@ -325,7 +325,7 @@ def test_an_interrupt_ends_what_lasts(call):
         signal.signal(signal.SIGINT, signal.default_int_handler)
         q = fvi.Problem("duffing:1,0.5", alpha=0.3, time=200)
         at = []
-        threading.Timer(0.5, lambda: (at.append(time.monotonic()), os.kill(os.getpid(), signal.SIGINT))).start()
+        threading.Timer(0.2, lambda: (at.append(time.monotonic()), os.kill(os.getpid(), signal.SIGINT))).start()
         try:
             {call}
             print("over")
