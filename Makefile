@@ -322,14 +322,11 @@ $B/tests/test_%.o: test_%.c | needs
 	mkdir -p $(@D)
 	$(COMPILE) $(or $(LEVEL_$*),-O0) $(CHECK_CFLAGS) -Itests -c $< -o $@
 
-# These have much arithmetic of their own: forms, polynomials of H 14, the series of 20,
+# These have much arithmetic of their own: forms, polynomials of H 14, the series and meshes of 20,
 # complex steps, turns around a zero.
 LEVEL_stability_rounding := -O2
-LEVEL_stability_stages := -O2
-LEVEL_convergence_orders := -O2
-LEVEL_convergence_stages := -O2
-LEVEL_adjoint_chain := -O1
-LEVEL_lobatto_load := -O1
+$(foreach t,stability_stages convergence_bound convergence_orders convergence_springs convergence_stages convergence_times \
+  adjoint_chain lobatto_coordinates observer_start,$(eval LEVEL_$t := -O1))
 
 # Gold takes half the time for these 130 links.
 GOLD := $(if $(shell command -v ld.gold),-fuse-ld=gold)

@@ -47,7 +47,12 @@ static inline double complex R_at(const stability_function *R, double complex z)
 /* |R(-nu) - e^(-nu)|; below 1/4 the difference is rounding, and its bound (20.17) is near it. */
 static inline double step_misses(const stability_function *R, double nu)
 {
-    return nu < 0.25 ? R->C * pow(nu, 2 * (double)R->s - 1) : fabs(creal(R_at(R, -nu)) - exp(-nu));
+    double power = nu;
+    if (nu >= 0.25)
+        return fabs(creal(R_at(R, -nu)) - exp(-nu));
+    for (size_t i = 1; i < R->s; i++)
+        power *= nu * nu;
+    return R->C * power;
 }
 
 /* m x'' + rho D^{2 alpha} x + c x = A, Caputo's past. */

@@ -85,17 +85,20 @@ static double largest_derivative(table c, size_t n, double shift, double T)
     const double gamma = motion.gamma;
     double most = 0;
     for (int place = 0; place <= PLACES; place++) {
-        const double t = T * exp(-0.125 * place);
+        const double t = T * exp(-0.125 * place), along = pow(t, gamma);
         double sum = 0;
-        for (int i = 0; i < ROWS; i++)
-            for (int j = 0; j < columns(i, gamma, ROWS); j++) {
+        for (int i = 0; i < ROWS; i++) {
+            const int count = columns(i, gamma, ROWS);
+            double power = pow(t, i - shift);
+            for (int j = 0; j < count; j++, power *= along) {
                 double e = i + j * gamma, factor = c[i][j];
                 if (factor == 0)
                     continue;
                 for (size_t l = 0; l < n; l++)
                     factor *= e - (double)l;
-                sum += factor * pow(t, e - shift);
+                sum += factor * power;
             }
+        }
         most = larger(most, fabs(sum));
     }
     return 1.01 * most;

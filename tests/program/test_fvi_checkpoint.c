@@ -236,9 +236,9 @@ START_TEST(a_table_that_was_stopped_is_that_of_the_whole_run)
         *plot = '\0';
     char line[900];
     snprintf(line, sizeof line,
-             "run='run --alpha 0.3 --steps 1e5 --memory direct --every 7 %s'; "
+             "run='run --alpha 0.3 --steps 8e4 --memory direct --every 7 %s'; "
              "\"$FVI\" $run -o whole; test ! -e p.svg || mv p.svg whole.svg; "
-             "\"$FVI\" $run -o t --checkpoint c & pid=$!; sleep 0.4; "
+             "\"$FVI\" $run -o t --checkpoint c & pid=$!; sleep 0.3; "
              "kill $pid; wait $pid; rm -f t p.svg; "
              "\"$FVI\" $run -o t --checkpoint c --continue && cmp t whole && "
              "{ test ! -e whole.svg || cmp p.svg whole.svg; }",
@@ -246,7 +246,7 @@ START_TEST(a_table_that_was_stopped_is_that_of_the_whole_run)
     ck_assert_msg(shell(line) == 0, "%s%s", out, err);
     /* other rows cannot follow those, and rows of a pipe are in no file */
     refused(
-        "run --alpha 0.3 --steps 1e5 --memory direct --every 8 --checkpoint "
+        "run --alpha 0.3 --steps 8e4 --memory direct --every 8 --checkpoint "
         "c --continue -o t",
         "fvi: --continue: c: its rows have other --columns, --unknowns, "
         "--every, --format or --plot\n");
