@@ -12,7 +12,7 @@ import sys
 
 PAGE = pathlib.Path("chapters/handbook/evidence.md")
 ELSEWHERE = {"bench", "example", "harness", "random", "workshop"}  # what they are is said below the table
-PATTERNS = (("verify", "*.py", r"^\s*(?:prove|claim)\("), ("tests", "*.[cp]*", r"^START_TEST\(|^def test_"), ("tests", "mutants.txt", r"^file "))
+PATTERNS = (("verify", "*.py", r"^\s*(?:prove|prove_rational|claim)\("), ("tests", "*.[cp]*", r"^START_TEST\(|^def test_"), ("tests", "mutants.txt", r"^file "))
 
 
 def counts(stem):
@@ -24,7 +24,7 @@ def counts(stem):
 def claimed(stem):
     """The equations that claims of the scripts name, as "17.6"."""
     words = [word for path in pathlib.Path("verify", stem).glob("*.py")
-             for word in re.findall(r'(?:prove|claim)\(\s*f?"([^"]*)"', path.read_text())]
+             for word in re.findall(r'(?:prove|prove_rational|claim)\(\s*f?"([^"]*)"', path.read_text())]
     return {number for word in words for number in re.findall(r"\((\d+\.\d+)\)", word)}
 
 
