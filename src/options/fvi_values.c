@@ -183,6 +183,8 @@ static int interpret_trajectory(fvi_options *o, fvi_error *c)
         status = fvi_options_check_columns(o, c);
     if (!status)
         status = fvi_check_impulses(o, c);
+    if (!status)
+        status = fvi_check_force_at_start(o, c);
     return status ? status : fvi_check_solution(o, c);
 }
 

@@ -343,6 +343,24 @@ START_TEST(only_a_loader_that_can_is_asked_to_choose)
 }
 END_TEST
 
+/* A force that is infinite at t = 0 would start the methods that evaluate it just after 0 with a huge number. A force
+ * with a limit there is none of these. */
+START_TEST(a_force_that_is_infinite_at_first_is_refused)
+{
+    static const char *const bad[] = { "run --force '1/sqrt(t)' --method fvi-lobatto4", "run --force t^-0.5+1 --error 1e-3",
+                                       "gradient --force 1/t --method fvi-stable" };
+    for (size_t i = 0; i < LEN(bad); i++) {
+        ck_assert_msg(fvi(bad[i]) == 2, "%s: %s", bad[i], err);
+        ck_assert_msg(strncmp(err, "fvi: --force: '", 15) == 0 && strstr(err, "' is infinite at t = 0: fvi-"), "%s", err);
+        ck_assert_str_eq(out, "");
+    }
+    ck_assert_int_eq(fvi("run --ground 'log(t)' --method fvi-bdf2"), 2);
+    ck_assert_ptr_nonnull(strstr(err, "fvi: --ground: 'log(t)' is infinite at t = 0: fvi-bdf2 "));
+    ck_assert_int_eq(fvi("run --force 1/t --steps 2"), 0);
+    ck_assert_int_eq(fvi("run --force 'sin(t)/t' --method fvi-lobatto4 --steps 2"), 0);
+}
+END_TEST
+
 int main(void)
 {
     char *sources = realpath("src", NULL);
@@ -350,7 +368,7 @@ int main(void)
     free(sources);
 
     Suite *suite = suite_create("the program fvi: what it refuses");
-    ADD_CASE(suite, "errors", bad_use_is_refused,
+    ADD_CASE(suite, "errors", a_force_that_is_infinite_at_first_is_refused, bad_use_is_refused,
              the_help_of_the_command_is_pointed_to,
              an_unknown_name_needs_no_value_to_be_refused,
              an_option_is_no_value_of_the_option_before,
