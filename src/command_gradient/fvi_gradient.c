@@ -46,8 +46,10 @@ static int interpret_of(request *r, fvi_error *c)
     const char *text = r->words.own[OF], *colon = strchr(text, ':');
     if (fvi_gradient_is_of_damper(text))
         return fvi_gradient_find_damper(r, c);
-    char word[8] = "";
+    char word[64] = "";
     snprintf(word, sizeof word, "%.*s", (int)strcspn(text, ":"), text);
+    if (colon && fvi_gradient_is_of_damper(word))
+        return fvi_refuse(c, "of", "'%s' has a colon too many: it is %s%s", text, word, colon + 1);
     if (fvi_parse_word("of", word, known, &r->of, c))
         return 2;
     if (!colon && r->of < 2 && r->o.d > 1)

@@ -29,8 +29,9 @@ static int interpret_step_and_time(fvi_options *o, fvi_error *c)
     if (status)
         return status;
     const double steps = o->time / o->h, whole_steps = round(steps);
-    if (!(whole_steps >= 1 && whole_steps < 0x1p53
-          && fabs(steps - whole_steps) <= 1e-9 * whole_steps))
+    if (!(steps < 0x1p53))
+        return fvi_refuse(c, "time", "'%s' is more than %.4g steps of --h %s", o->text[TIME], 0x1p53, o->text[H]);
+    if (!(whole_steps >= 1 && fabs(steps - whole_steps) <= 1e-9 * whole_steps))
         return fvi_refuse(c, "time", "'%s' is not a whole number of steps of --h %s", o->text[TIME], o->text[H]);
     if (o->text[STEPS]) {
         status = count_steps(o, c);

@@ -329,6 +329,9 @@ START_TEST(a_gradient_of_a_damper_is_a_difference_of_runs)
         { "--of d1.force --potential chain:2,1,0 --method fvi", "--of: 'd1.force' of which coordinate? d1.force1 to d1.force2" },
         { "--of d1.force3 --potential chain:2,1,0 --method fvi", "--of: " },
         { "--of d1.force --alpha 0.7 --method fvi-stable --steps 20", "--of: 'd1.force': the forces of the first 20 rows come from" },
+        { "--of d1.force:2 --potential chain:2,1,0 --method fvi",
+          "--of: 'd1.force:2' has a colon too many: it is d1.force2" },
+        { "--of a_long_word --method fvi", "--of: 'a_long_word' is none of x, p, energy" },
         { "--of d1.work --method fvi", "--of: 'd1.work' is none of x, p, energy" }
     };
     for (size_t i = 0; i < LEN(bad); i++) {

@@ -36,6 +36,8 @@ START_TEST(a_step_and_a_time_are_a_number_of_steps)
                       "steps of --h 0.1");
     ck_assert_refused("run --time 3 --h 0.1 --steps 29",
                       "fvi: --steps: '29' is not 30, which --time by --h is");
+    ck_assert_refused("run --time 1e9 --h 1e-9",
+                      "fvi: --time: '1e9' is more than 9.007e+15 steps of --h 1e-9");
 }
 END_TEST
 
