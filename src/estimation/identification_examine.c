@@ -298,6 +298,16 @@ static int examine(fvi_estimation_work *o, const fvi_estimate *fitted, fvi_exami
     return status;
 }
 
+/* Return nonzero for the answer of a fit. Its sigma is 0 if the model repeats the data to the last digit, and then the
+ * deviations are 0, too. */
+static int is_answer(size_t parameters, const fvi_estimate *fitted)
+{
+    int is_exact_answer = fitted->sigma == 0;
+    for (size_t j = 0; j < parameters; j++)
+        is_exact_answer &= fitted->sd[j] == 0;
+    return fitted->h > 0 && (fitted->sigma > 0 || is_exact_answer) && fvi_estimate_is_finite(parameters, fitted);
+}
+
 int fvi_estimate_examine(const fvi_estimation *fit, const fvi_estimate *fitted,
                          fvi_examination *examined)
 {
@@ -308,7 +318,7 @@ int fvi_estimate_examine(const fvi_estimation *fit, const fvi_estimate *fitted,
         return status;
     if (!fitted || !examined)
         FVI_FAIL("a pointer of the examination is NULL", FVI_EFAULT);
-    if (!(fitted->h > 0) || !(fitted->sigma > 0) || !fvi_estimate_is_finite(fit->parameters, fitted))
+    if (!is_answer(fit->parameters, fitted))
         FVI_FAIL("an examination needs the answer of a fit", FVI_EDOM);
     fvi_examination e = { .probability = { 1, 1, 1, 1, 1 }, .chi2 = GSL_POSINF };
     fvi_quiet();

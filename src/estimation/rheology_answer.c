@@ -158,10 +158,15 @@ static double find_edge(profile *p, const double *z, double step)
     return inside;
 }
 
-/* Find the interval of number v. sd is the standard deviation of ln v or of an order. */
+/* Find the interval of number v. Data that the law repeats to the last digit leave no noise, and then the interval is the
+ * estimate alone. sd is the standard deviation of ln v or of an order. */
 static void interval(fvi_rheology_work *o, const number *v, const double *z, double least,
                      double sd, fvi_material *a, size_t j)
 {
+    if (a->sigma == 0) {
+        a->lower[j] = a->upper[j] = a->estimate[j];
+        return;
+    }
     profile p = { .work = o,
                   .v = *v,
                   .value = number_of(v, z, NULL),

@@ -149,6 +149,16 @@ START_TEST(a_table_of_another_test_is_refused)
 }
 END_TEST
 
+/* A law that repeats the data to the last digit leaves no noise, and each interval is the estimate. */
+START_TEST(exact_data_have_intervals_without_length)
+{
+    ck_assert_int_eq(shell("printf 'omega storage loss\\n1 1 0\\n2 1 0\\n3 1 0\\n4 1 0\\n' > exact.tsv"), 0);
+    ck_assert_msg(fvi("fit --moduli --law spring exact.tsv") == 0, "%s", err);
+    ck_assert_ptr_nonnull(strstr(out, "\nspring1.k\t1\t0\t1\t1\n"));
+    ck_assert_str_eq(err, "");
+}
+END_TEST
+
 START_TEST(fit_plans_a_test)
 {
     double row[4];
@@ -239,7 +249,7 @@ int main(void)
     free(sources);
     Suite *suite = suite_create("fvi fit --moduli");
     ADD_CASE(suite, "materials", a_rheologist_needs_three_commands,
-             fit_reads_moduli_of_many_kinds, a_table_of_another_test_is_refused,
+             fit_reads_moduli_of_many_kinds, a_table_of_another_test_is_refused, exact_data_have_intervals_without_length,
              fit_plans_a_test,
              fit_chooses_steps_of_its_own_where_gaps_are_short,
              the_table_of_the_page_is_fitted_as_it_says);
