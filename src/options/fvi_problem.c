@@ -144,7 +144,7 @@ int fvi_problem_force(fvi_options *o, fvi_error *c)
         if (status)
             return status;
     }
-    if (found && strcasecmp(o->text[FORCE], "none") != 0)
+    if (found && o->text[FORCE] != fvi_option_list[FORCE].preset) /* a `none` that was typed, too */
         return fvi_refuse(c, "force", "'%s': there is %s/f.tsv, too", o->text[FORCE], o->text[SYSTEM]);
     if (found) { /* the head contains the force that acts */
         o->text[FORCE] = fvi_directory_force_name(o->directory);

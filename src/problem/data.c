@@ -70,10 +70,12 @@ typedef struct {
 } column_request;
 
 /* The columns that were found: for each its number and which of its names it had. `of` is the number of columns in the
- * table. */
+ * table. Of a line that does not name all columns, `words` is the number of its words, `astray` the number, from 1, of
+ * a wanted column whose name stands in another place than the first columns would have it, and `missing` a wanted
+ * column that it does not name; astray is 0 if there is none. */
 typedef struct {
-    unsigned column[COLUMNS], name[COLUMNS];
-    size_t of;
+    unsigned column[COLUMNS], name[COLUMNS], astray, missing;
+    size_t of, words;
 } choice;
 
 /* Return which of the names "a|b|c" the word is, from 0; -1 for none. */
@@ -101,8 +103,10 @@ static choice choose_separator_columns(const char *line, const char *between, co
         size_t length;
         line = read_name(line, between, &name, &length);
         for (size_t k = 0; k < w->count; k++) {
-            const int which = found[k] ? -1 : name_of(w->names[k], name, length);
-            if (which < 0)
+            const int which = name_of(w->names[k], name, length);
+            if (which >= 0 && to.of != k)
+                to.astray = (unsigned)k + 1;
+            if (which < 0 || found[k])
                 continue;
             found[k] = 1;
             to.column[k] = (unsigned)to.of;
@@ -110,18 +114,22 @@ static choice choose_separator_columns(const char *line, const char *between, co
         }
     }
     for (size_t k = 0; k < w->count; k++)
-        all &= found[k];
+        if (!found[k]) {
+            all = 0;
+            to.missing = (unsigned)k;
+        }
+    to.words = to.of;
     if (!all)
         to.of = 0;
     return to;
 }
 
-/* The names in the lines above the rows: the last line of words that names all columns and, for each number of words,
- * the last comment of that many words that names them. A comment may contain t and x among other words, so it counts
+/* The names in the lines above the rows: the last line of words that names all columns, the last line of words and, for
+ * each number of words, the last comment of that many words that names them. A comment may contain t and x among other words, so it counts
  * only if it has as many words as a row has numbers. */
 enum { WORDS = 1000 };
 typedef struct {
-    choice heading[SEPARATORS], comment[WORDS];
+    choice heading[SEPARATORS], partial[SEPARATORS], comment[WORDS];
 } names_above;
 
 static void read_names(names_above *above, fvi_rows *r, fvi_rows_kind kind, const column_request *w)
@@ -134,6 +142,8 @@ static void read_names(names_above *above, fvi_rows *r, fvi_rows_kind kind, cons
         if (kind == FVI_ROWS_COMMENT && to[i].of < WORDS)
             above->comment[to[i].of] = to[i];
     }
+    if (kind != FVI_ROWS_COMMENT)
+        memcpy(above->partial, to, sizeof to);
     if (kind == FVI_ROWS_COMMENT || !named)
         return;
     memcpy(above->heading, to, sizeof to);
@@ -145,7 +155,9 @@ static int choose_columns(const names_above *above, const fvi_rows *r, const col
                           choice *to)
 {
     int named = 0;
-    *to = (choice){ { 0, 1, 2, 3, 4, 5, 6, 7 }, { 0 }, r->count };
+    *to = (choice){ .of = r->count };
+    for (unsigned k = 0; k < COLUMNS; k++)
+        to->column[k] = k;
     for (int i = SEPARATORS; i-- > 0;) {
         named = named || above->heading[i].of;
         if (above->heading[i].of == r->count) {
@@ -166,6 +178,14 @@ static int choose_columns(const names_above *above, const fvi_rows *r, const col
                               w->names[0], w->names[1])
                    : fvi_refuse(r->error, r->field, "%s: no line names a column '%s'", r->name,
                               w->names[w->count - 1]);
+    for (int i = 0; i < SEPARATORS; i++) {
+        const choice *line = &above->partial[i];
+        const char *astray = line->astray ? w->names[line->astray - 1] : "", *missing = w->names[line->missing];
+        if (line->astray && line->words == r->count)
+            return fvi_refuse(r->error, r->field, "%s: a line names a column '%.*s' and no '%.*s', so the first columns "
+                              "are not what is wanted", r->name, (int)strcspn(astray, "|"), astray,
+                              (int)strcspn(missing, "|"), missing);
+    }
     return r->count < w->count ? fvi_rows_refuse(r, r->count, FVI_ROWS_TOO_FEW) : 0;
 }
 

@@ -66,6 +66,22 @@ static int parse_law(fvi_typed_damper *damper, const char *text,
     return status;
 }
 
+/* Check that no damper before number `count` has its name. A damper without a name is called d1, d2, ... by its place. */
+static int check_damper_name(const fvi_typed_damper *damper, size_t count, const fvi_typed_damper *others,
+                             fvi_error *error)
+{
+    char mine[24], place[24];
+    snprintf(mine, sizeof mine, "d%zu", count + 1);
+    const char *name = damper->name ? damper->name : mine;
+    for (size_t i = 0; i < count; i++) {
+        snprintf(place, sizeof place, "d%zu", i + 1);
+        if (strcmp(others[i].name ? others[i].name : place, name) == 0)
+            return fvi_refuse(error, "damper", "'%s' is the name of two dampers%s", name,
+                              damper->name && others[i].name ? "" : ": one without a name is called so by its place");
+    }
+    return FVI_SUCCESS;
+}
+
 int fvi_parse_damper(const char *text, size_t count, const fvi_typed_damper *others,
                      fvi_user_parameters *parameters, fvi_typed_damper *damper, char **of,
                      fvi_error *error)
@@ -80,10 +96,8 @@ int fvi_parse_damper(const char *text, size_t count, const fvi_typed_damper *oth
     *of = fvi_trimmed_copy(g, (size_t)(colon - g));
     if (!*of || (named && !damper->name))
         return fvi_no_memory(error, "damper");
-    for (size_t i = 0; named && i < count; i++)
-        if (others[i].name && strcmp(others[i].name, damper->name) == 0)
-            return fvi_refuse(error, "damper", "'%s' is the name of two dampers", damper->name);
-    return parse_law(damper, colon + 3, parameters, error);
+    const int status = check_damper_name(damper, count, others, error);
+    return status ? status : parse_law(damper, colon + 3, parameters, error);
 }
 
 void fvi_typed_damper_free(fvi_typed_damper *damper)

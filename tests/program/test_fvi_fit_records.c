@@ -145,11 +145,63 @@ START_TEST(fit_of_a_stiff_body_takes_steps_of_its_own)
 }
 END_TEST
 
+/* Nine columns without names are t and eight sensors. A ninth column read elsewhere, for example from t, would have large
+ * residuals. */
+START_TEST(fit_reads_eight_columns_without_names)
+{
+    static const char all[] = "x1,x2,x3,x4,x5,x6,x7,x8";
+    char line[300];
+    ck_assert_int_eq(fvi("run --dimension 8 --mass 1,2,3,4,5,6,7,8 --method fvi-lobatto4 --steps 40 --columns t,x "
+                         "-o named.tsv"),
+                     0);
+    ck_assert_int_eq(shell("grep -v '^#' named.tsv > bare.tsv"), 0);
+    snprintf(line, sizeof line, "fit --dimension 8 --mass 1,2,3,4,5,6,7,8 --h 0.1 --fit rho --starts 2 --compare %s bare.tsv",
+             all);
+    ck_assert_msg(fvi(line) == 0, "%s", err);
+    ck_assert_double_lt(value_of("estimated sigma of x8"), 1e-8);
+}
+END_TEST
+
+/* Data that the fitted run repeats to the last digit leave no noise to estimate: sigma is 0, and each interval is the
+ * estimate alone. */
+START_TEST(fit_of_rows_of_its_own_run_has_no_noise)
+{
+    ck_assert_int_eq(fvi("run --method fvi-lobatto4 --steps 40 --columns t,x -o own.tsv"), 0);
+    ck_assert_msg(fvi("fit --h 0.1 own.tsv") == 0, "%s", err);
+    ck_assert_ptr_nonnull(strstr(out, "\nalpha\t0.5\t0\t0.5\t0.5\nrho\t0.2\t0\t0.2\t0.2\n"));
+    ck_assert_double_eq(value_of("estimated sigma"), 0);
+    ck_assert_str_eq(err, "");
+}
+END_TEST
+
+/* A header may have other names, and then the first columns are read. But a wanted name in another place says that the
+ * first columns are others. */
+START_TEST(a_name_in_another_place_is_not_passed_over)
+{
+    write_file("acc.csv", "time,acc,F\n0,1,5\n1,1,5\n");
+    ck_assert_int_eq(fvi("run --force file:acc.csv --steps 2"), 2);
+    ck_assert_ptr_nonnull(strstr(err, "fvi: --force: acc.csv: a line names a column 'F' and no 't', so the first columns "
+                                      "are not what is wanted\n"));
+    write_file("speed.csv", "time;v;x\n0;1;5\n1;1;5\n2;1;4\n");
+    ck_assert_int_eq(fvi("fit speed.csv"), 2);
+    ck_assert_ptr_nonnull(strstr(err, "fvi: DATA: speed.csv: a line names a column 'x' and no 't'"));
+    write_file("twice.csv", "omega,storage,storage\n1,2,3\n2,3,4\n4,5,6\n8,7,8\n");
+    ck_assert_int_eq(fvi("fit --moduli twice.csv"), 2);
+    ck_assert_ptr_nonnull(strstr(err, "a line names a column 'storage' and no 'loss'"));
+    write_file("push.csv", "time,F\n0,5\n1,5\n"); /* F stands where it would be read */
+    ck_assert_int_eq(fvi("run --force file:push.csv --steps 1 --columns F --format csv"), 0);
+    ck_assert_str_eq(out, "F\n5\n5\n");
+    ck_assert_int_eq(fvi("run --force file:acc.csv:time,F --steps 1 --columns F --format csv"), 0);
+    ck_assert_str_eq(out, "F\n5\n5\n");
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("fits of records");
     ADD_CASE(suite, "records", fit_compares_columns_of_several_masses, fit_takes_several_records,
              fit_keeps_the_names_of_a_pair, fit_takes_a_folder, fit_forgives_wrong_readings,
-             fit_of_a_stiff_body_takes_steps_of_its_own);
+             fit_of_a_stiff_body_takes_steps_of_its_own, fit_reads_eight_columns_without_names,
+             fit_of_rows_of_its_own_run_has_no_noise, a_name_in_another_place_is_not_passed_over);
     return run_suite_of_program(suite);
 }

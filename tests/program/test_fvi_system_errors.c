@@ -125,6 +125,11 @@ START_TEST(what_a_system_replaces_or_no_method_takes_is_refused)
     ck_assert_refused("run --system chain --steps 3",
                       "fvi: --system: cannot read 'chain/f.tsv': No such file or directory");
     ck_assert_int_eq(shell("rm chain/f.tsv"), 0);
+    write_file("chain/f.tsv", "0 1 2 3\n1 1 2 3\n"); /* the program does not choose between `none` and the file */
+    ck_assert_refused("run --system chain --time 1 --steps 3 --force none",
+                      "fvi: --force: 'none': there is chain/f.tsv, too");
+    ck_assert_int_eq(fvi("run --system chain --time 1 --steps 3"), 0);
+    ck_assert_int_eq(shell("rm chain/f.tsv"), 0);
 }
 END_TEST
 
