@@ -31,12 +31,12 @@ static int allocate(fvi_adjoint_structure *m)
     double *next;
     m->each = calloc(m->count + 1, sizeof *m->each);
     m->held = calloc(m->count + 1, sizeof *m->held);
-    m->block = FVI_ARRAYS({ &m->v0, d }, { &m->after, d }, { &m->zeros, d }, { &m->product, d }, { &m->room, d },
+    m->block = FVI_ARRAYS({ &m->v0, d }, { &m->lambda_after, d }, { &m->zeros, d }, { &m->product, d }, { &m->room, d },
                           { &m->y, d }, { &m->v, m->s * d }, { &next, OF_A_DAMPER * m->count * d });
     if (!m->each || !m->held || !m->block)
         FVI_FAIL("no memory for the adjoint run", FVI_ENOMEM);
     for (size_t j = 0; j < m->count; j++, next += OF_A_DAMPER * d) {
-        m->each[j].plain = next;
+        m->each[j].force_sum = next;
         m->each[j].impulse_sum = next + d;
         m->each[j].impulse_sum_by_order = next + 2 * d;
     }
@@ -65,8 +65,8 @@ static int start_stepper(fvi_adjoint_structure *m, const fvi_method *method, con
     const int status = fvi_stepper_start(method, &back, &m->stepper, NULL);
     if (status)
         return status;
-    m->o = fvi_lobatto_matrices_of(m->stepper);
-    memcpy(m->o->v, Jp, m->d * sizeof *Jp);
+    m->state = fvi_lobatto_matrices_of(m->stepper);
+    memcpy(m->state->v, Jp, m->d * sizeof *Jp);
     return FVI_SUCCESS;
 }
 
@@ -79,11 +79,11 @@ static int start_numbers(fvi_adjoint_structure *m, fvi_adjoint_structure_damper 
     a->kernel = mechanism ? *mechanism->damper[j].kernel : run->law ? *run->law : (fvi_kernel){ 1, &a->power };
     if (!m->by_numbers)
         return FVI_SUCCESS;
-    a->number[0] = calloc(4 * a->kernel.count, sizeof *a->number[0]);
-    if (!a->number[0])
+    a->by_number[0] = calloc(FVI_NUMBERS_OF_TERM * a->kernel.count, sizeof *a->by_number[0]);
+    if (!a->by_number[0])
         FVI_FAIL("no memory for the adjoint run", FVI_ENOMEM);
-    for (size_t i = 1; i < 4; i++)
-        a->number[i] = a->number[0] + i * a->kernel.count;
+    for (size_t i = 1; i < FVI_NUMBERS_OF_TERM; i++)
+        a->by_number[i] = a->by_number[0] + i * a->kernel.count;
     const fvi_sensitivities want = { .terms = m->want->terms,
                                      .orders = m->want->alpha ? m->want->alpha : m->want->orders,
                                      .times = m->want->times,
@@ -97,15 +97,15 @@ static int start_damper(fvi_adjoint_structure *m, size_t j)
 {
     fvi_adjoint_structure_damper *a = m->each + j;
     a->of = fvi_run_damper_of(m->run, j);
-    for (size_t i = 0; i < m->o->dampers; i++)
-        if (m->o->each[i].number == j)
-            a->adjoint = m->o->each + i;
+    for (size_t i = 0; i < m->state->dampers; i++)
+        if (m->state->each[i].number == j)
+            a->adjoint = m->state->each + i;
     const int is_mass = a->of.law && a->of.growth == 2;
     a->has_line = a->of.growth > 1 && !is_mass;
     int status = start_numbers(m, a, j);
     return status || is_mass || !fvi_initial_history_acts(a->of.past, a->of.growth / 2)
                ? status
-               : fvi_initial_history_force_prepare(&a->of, m->run->h, m->s, m->rule->c, &a->past,
+               : fvi_initial_history_force_prepare(&a->of, m->run->h, m->s, m->rule->c, &a->history_force,
                                                    &a->impulse_unit);
 }
 
@@ -138,8 +138,8 @@ void fvi_adjoint_structure_free(fvi_adjoint_structure *m)
     fvi_stepper_free(m->stepper);
     for (size_t j = 0; m->each && j < m->count; j++) {
         fvi_stage_terms_stop(&m->each[j].terms);
-        fvi_initial_history_force_stop(&m->each[j].past);
-        free(m->each[j].number[0]);
+        fvi_initial_history_force_stop(&m->each[j].history_force);
+        free(m->each[j].by_number[0]);
     }
     free(m->each);
     free(m->held);
