@@ -19,7 +19,7 @@
 #define LARGEST_USEFUL_SD 20
 
 /* In this file o is the search from all starts. A place is where one of its searches began and where it is now. */
-typedef fvi_estimation_slot place;
+typedef fvi_estimation_place place;
 typedef fvi_estimation_work search;
 
 /* ---- many starts ---- */
@@ -216,7 +216,7 @@ static int compute_deviations(search *o, const place *at, fvi_estimate *fitted)
                            : sqrt(at->sum / (double)(n - P)); /* of the residuals f */
     if (huber > 0) {
         fvi_estimation_robust_units(huber, P, o->solver->f, &deviation, &fitted->loss_unit);
-        fvi_estimation_unroll(huber, o->solver->f, gsl_multifit_nlinear_jac(o->solver));
+        fvi_estimation_undo_loss(huber, o->solver->f, gsl_multifit_nlinear_jac(o->solver));
     }
     if (fvi_estimation_errors(gsl_multifit_nlinear_jac(o->solver), fitted->sd,
                        fitted->correlation))

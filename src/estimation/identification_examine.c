@@ -110,7 +110,7 @@ static int evaluate(fvi_estimation_work *o, const double *u, workspace *w)
     gsl_vector_const_view at = gsl_vector_const_view_array(u, o->fdf.p);
     fvi_estimation_residuals(&at.vector, o, &w->f.vector);
     o->fdf.df(&at.vector, o, &w->J.matrix);
-    fvi_estimation_unroll(o->model.fit->huber, &w->f.vector, &w->J.matrix);
+    fvi_estimation_undo_loss(o->model.fit->huber, &w->f.vector, &w->J.matrix);
     return o->model.ended;
 }
 
@@ -201,7 +201,7 @@ static void search_other_minima(fvi_estimation_work *o, const fvi_estimate *fitt
                      gsl_pow_2(fvi_estimation_model_unit(&o->model, fitted)) * fitted->loss_unit,
                  near = fitted->chi2 + gsl_pow_2(fitted->quantile) + NEAR;
     for (size_t i = 0; i < fitted->others; i++) {
-        fvi_estimation_slot at;
+        fvi_estimation_place at;
         double theta[FVI_ESTIMATION_MOST];
         for (size_t j = 0; j < P; j++)
             at.u[j] = fvi_estimation_theta_to_u(&o->model, j, fitted->other[i][j]);

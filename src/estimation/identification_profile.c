@@ -13,7 +13,7 @@ enum { OUTWARD = 40, INWARD = 60 };
 
 /* The last two places where the other parameters were found, and the values of the fixed one there. */
 typedef struct {
-    fvi_estimation_slot at, before;
+    fvi_estimation_place at, before;
     double u, u_before;
 } trail;
 
@@ -38,7 +38,7 @@ static double excess(profile *o, double u)
     const double far = o->on.u != o->on.u_before
                            ? (u - o->on.u) / (o->on.u - o->on.u_before)
                            : 0;
-    fvi_estimation_slot now = o->on.at;
+    fvi_estimation_place now = o->on.at;
     for (size_t i = 0; i < o->others && fabs(far) < 4; i++)
         now.u[i] += far * (o->on.at.u[i] - o->on.before.u[i]);
     fvi_estimation_model_set(m, o->others, fvi_estimation_u_to_theta(m, o->others, u));

@@ -55,7 +55,7 @@ void fvi_estimation_robust_units(double k, size_t P, const gsl_vector *f, double
 }
 //< huber
 
-void fvi_estimation_unroll(double k, gsl_vector *f, gsl_matrix *J)
+void fvi_estimation_undo_loss(double k, gsl_vector *f, gsl_matrix *J)
 {
     for (size_t i = 0; i < f->size && k > 0; i++) {
         const double stretch = fvi_estimation_stretch(k, gsl_vector_get(f, i));
@@ -86,7 +86,7 @@ static double unit_of(const fvi_estimation_model *m, size_t column, double *r)
     return fmax(unit, LEAST * (size > 0 ? size : 1));
 }
 
-int fvi_estimation_reweigh(fvi_estimation_work *o, fvi_estimation_slot *at)
+int fvi_estimation_reweigh(fvi_estimation_work *o, fvi_estimation_place *at)
 {
     fvi_estimation_model *m = &o->model;
     const size_t columns = fvi_estimation_columns(m->fit);

@@ -18,11 +18,11 @@ void fvi_estimation_robust_units(double k, size_t P, const gsl_vector *f, double
                                  double *of_loss);
 
 /* Replace J, the Jacobian of f, by that of r, and f by the influences. */
-void fvi_estimation_unroll(double k, gsl_vector *f, gsl_matrix *J);
+void fvi_estimation_undo_loss(double k, gsl_vector *f, gsl_matrix *J);
 
 /* Find the units of columns whose sigma is unknown. They follow from the residuals at *at, the search goes on from
  * there, and so on until the units do not change. A unit is the root of the mean square or, for a robust fit, 1.4826
  * times the median of |r|. Return FVI_SUCCESS or FVI_ENOMEM. */
-int fvi_estimation_reweigh(fvi_estimation_work *o, fvi_estimation_slot *at);
+int fvi_estimation_reweigh(fvi_estimation_work *o, fvi_estimation_place *at);
 
 #endif

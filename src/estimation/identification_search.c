@@ -14,7 +14,7 @@
 
 #define STEP 1e-7 /* relative step of a difference: with the memory the motion is smooth to 1e-13 */
 
-typedef fvi_estimation_slot slot;
+typedef fvi_estimation_place slot;
 typedef fvi_estimation_work search;
 
 //> residuals

@@ -9,17 +9,18 @@
 
 #include <gsl/gsl_multifit_nlinear.h>
 
-/* A search: where it began, its present parameters u, its sum of squares, and whether it was given up. */
+/* The place of one search: the unknowns u where it began and where it is now, the sum of squares there, and whether it
+ * was given up. */
 typedef struct {
     double from[FVI_ESTIMATION_MOST], u[FVI_ESTIMATION_MOST], sum;
     int gave_up;
-} fvi_estimation_slot;
+} fvi_estimation_place;
 
 typedef struct {
     fvi_estimation_model model;
     gsl_multifit_nlinear_fdf fdf;
     gsl_multifit_nlinear_workspace *solver;
-    fvi_estimation_slot *found; /* one search for each start */
+    fvi_estimation_place *found; /* one search for each start */
     double *last, *base;  /* the last residuals, and those at the base of the differences */
     double *tangents;     /* n P derivatives; NULL: the run has no tangents */
     double size[FVI_ESTIMATION_MOST]; /* size of each u; a value far below it counts as 0 */
@@ -46,7 +47,7 @@ double fvi_estimation_sum_here(fvi_estimation_work *o);
 
 /* Search downhill from at->u. at->sum becomes infinite if that leads nowhere. A search that makes little progress above
  * `below` is given up. */
-void fvi_estimation_minimise(fvi_estimation_work *o, fvi_estimation_slot *at, double below);
+void fvi_estimation_minimise(fvi_estimation_work *o, fvi_estimation_place *at, double below);
 
 void fvi_estimation_work_free(fvi_estimation_work *o);
 
