@@ -246,7 +246,7 @@ static int stage_weights(size_t s, size_t count)
                                           FVI_HISTORY_MODES, 0, &m);
     if (status)
         return status;
-    const double *last = fvi_lobatto_history_now(m) + s * (s - 1);
+    const double *last = fvi_lobatto_history_w0(m) + s * (s - 1);
     weights[0] = 0;
     for (size_t i = 0; i < s; i++)
         weights[0] += last[i];

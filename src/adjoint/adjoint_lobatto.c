@@ -152,7 +152,7 @@ static void read_history(fvi_adjoint_lobatto *m, size_t j, double *T, double *Td
     const double *v = o->v + j * s, *Wdot = NULL, h = m->run->h;
     double Y[FVI_STAGES], Ydot[FVI_STAGES] = { 0 };
     if (o->Ydot && o->memory)
-        Wdot = fvi_lobatto_history_now_by_order(o->memory);
+        Wdot = fvi_lobatto_history_w0_by_order(o->memory);
     for (size_t i = 0; i < s; i++) {
         Y[i] = o->scale * o->Y[j * s + i];
         for (size_t c = 0; c < s; c++)

@@ -172,7 +172,7 @@ static int begin_stages(fvi_stepper *s, fvi_mechanism_part *part)
         &part->stages);
     for (size_t i = 0; i < n * n && !status; i++)
         o->W[part->damper * n * n + i] +=
-            fvi_lobatto_history_now(part->stages)[i];
+            fvi_lobatto_history_w0(part->stages)[i];
     return status;
 }
 
@@ -236,7 +236,7 @@ int fvi_mechanism_predict_forces(fvi_stepper *s)
          p++) {
         double *known = o->known + p->damper * n, ahead;
         if (o->rule) {
-            const double *W = fvi_lobatto_history_now(p->stages);
+            const double *W = fvi_lobatto_history_w0(p->stages);
             for (size_t i = 0; i < n; i++) {
                 known[i] += p->last[i];
                 for (size_t l = 0; l < n; l++)

@@ -39,7 +39,7 @@ static int make_history(const fvi_run *run, size_t s, fvi_stage_damper *a)
                                                      fvi_stage_dampers_tolerance(run), &a->scale,
                                                      &a->memory);
     for (size_t i = 0; !status && i < s * s; i++) {
-        a->W[i] = a->scale * fvi_lobatto_history_now(a->memory)[i];
+        a->W[i] = a->scale * fvi_lobatto_history_w0(a->memory)[i];
         a->constant[i / s] += a->W[i];
     }
     return status;
@@ -94,7 +94,7 @@ static void add_known(const fvi_stage_damper *a, size_t s, size_t i, const doubl
 /* Write the derivative of the known force by 2 alpha for fixed h^(-beta). z holds B^T v_k. */
 static void add_known_by_order(const fvi_stage_damper *a, size_t s)
 {
-    const double *rate = fvi_lobatto_history_now_by_order(a->memory);
+    const double *rate = fvi_lobatto_history_w0_by_order(a->memory);
     for (size_t i = 0; i < s; i++) {
         double row = 0;
         for (size_t c = 0; c < s; c++)
@@ -178,7 +178,7 @@ static int end_damper(const fvi_lobatto_matrices *o, fvi_stage_damper *a)
     for (size_t n = 0; !status && a->Ydot && n < r; n++)
         for (size_t i = 0; i < s; i++)
             for (size_t c = 0; c < s; c++)
-                a->force_by_order[i * r + n] += a->scale * fvi_lobatto_history_now_by_order(a->memory)[i * s + c]
+                a->force_by_order[i * r + n] += a->scale * fvi_lobatto_history_w0_by_order(a->memory)[i * s + c]
                                                 * a->slope[n * s + c];
     for (size_t n = 0; !status && n < r; n++)
         for (size_t i = 0; i < s; i++)

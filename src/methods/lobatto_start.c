@@ -146,7 +146,7 @@ static int prepare(fvi_stepper *s, fvi_lobatto_stages *o)
     for (size_t i = 0; !status && i < o->s; i++)
         for (size_t j = 0; j < o->s; j++)
             o->W[i][j] =
-                o->scale * fvi_lobatto_history_now(o->memory)[i * o->s + j];
+                o->scale * fvi_lobatto_history_w0(o->memory)[i * o->s + j];
     return status;
 }
 

@@ -163,22 +163,22 @@ static void differentiate(const fvi_stage_term *t, const double *u, double befor
 void fvi_stage_term_next(fvi_stage_term *t, size_t j, const double *nu)
 {
     const size_t s = t->s;
-    const double *W = fvi_lobatto_history_now(t->self.memory);
+    const double *W = fvi_lobatto_history_w0(t->self.memory);
     double *u = t->self.now + j * s, *rate = t->rate + j * s, *left = t->left + j * s;
     add_present(t, j, W, nu, &t->self);
     if (t->again.memory || t->less.memory)
         differentiate(t, u, t->before[j], rate);
     if (t->again.memory)
-        add_present(t, j, fvi_lobatto_history_now(t->again.memory), rate, &t->again);
+        add_present(t, j, fvi_lobatto_history_w0(t->again.memory), rate, &t->again);
     if (t->less.memory)
-        add_present(t, j, fvi_lobatto_history_now(t->less.memory), rate, &t->less);
+        add_present(t, j, fvi_lobatto_history_w0(t->less.memory), rate, &t->less);
     for (size_t i = 0; i < s; i++)
         left[i] = u[i] - (is_davidson(t) ? 0 : t->unit.term.time * t->again.now[j * s + i]);
     if (t->log.memory)
-        add_present(t, j, fvi_lobatto_history_now_by_order(t->log.memory), left, &t->log);
+        add_present(t, j, fvi_lobatto_history_w0_by_order(t->log.memory), left, &t->log);
     for (int by = 0; by < FVI_KERNEL_DERIVATIVES; by++)
         if (t->slopes[by].memory)
-            add_present(t, j, fvi_lobatto_history_now(t->slopes[by].memory), nu, &t->slopes[by]);
+            add_present(t, j, fvi_lobatto_history_w0(t->slopes[by].memory), nu, &t->slopes[by]);
 }
 //< stage-term
 

@@ -316,12 +316,12 @@ void fvi_lobatto_history_free(fvi_lobatto_history *m)
     free(m);
 }
 
-const double *fvi_lobatto_history_now(const fvi_lobatto_history *m)
+const double *fvi_lobatto_history_w0(const fvi_lobatto_history *m)
 {
     return m->W;
 }
 
-const double *fvi_lobatto_history_now_by_order(const fvi_lobatto_history *m)
+const double *fvi_lobatto_history_w0_by_order(const fvi_lobatto_history *m)
 {
     return m->W_rate;
 }

@@ -56,12 +56,12 @@ double fvi_lobatto_history_bytes(size_t s, double beta, size_t d, size_t steps,
 int fvi_lobatto_history_copy(const fvi_lobatto_history *from,
                             fvi_lobatto_history **to);
 
-/* fvi_lobatto_history_now -- Return W_0, entry (i, j) at [i * s + j], owned by the history. */
-const double *fvi_lobatto_history_now(const fvi_lobatto_history *memory);
+/* fvi_lobatto_history_w0 -- Return W_0, entry (i, j) at [i * s + j], owned by the history. */
+const double *fvi_lobatto_history_w0(const fvi_lobatto_history *memory);
 
-/* fvi_lobatto_history_now_by_order -- Return the derivative of W_0 by beta, owned by the history. The
+/* fvi_lobatto_history_w0_by_order -- Return the derivative of W_0 by beta, owned by the history. The
  * history was made by_order. */
-const double *fvi_lobatto_history_now_by_order(const fvi_lobatto_history *memory);
+const double *fvi_lobatto_history_w0_by_order(const fvi_lobatto_history *memory);
 
 /* fvi_lobatto_history_push -- Take in v_k and compute H_{k+1}. [(17.12)]
  *

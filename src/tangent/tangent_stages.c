@@ -103,8 +103,8 @@ static int find_sums(fvi_tangent_run *o, fvi_tangent_damper *a)
 {
     const size_t s = o->s;
     double *Y = a->sum, *Ydot = a->sumdot;
-    const double *W = fvi_lobatto_history_now(a->of_stages),
-                 *rate = a->of.law ? NULL : fvi_lobatto_history_now_by_order(a->of_stages),
+    const double *W = fvi_lobatto_history_w0(a->of_stages),
+                 *rate = a->of.law ? NULL : fvi_lobatto_history_w0_by_order(a->of_stages),
                  log_h = log(o->run->h);
     for (size_t n = 0; n < a->r; n++)
         for (size_t i = 0, at = n * s; i < s; i++, at++) {

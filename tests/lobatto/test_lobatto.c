@@ -187,7 +187,7 @@ START_TEST(eq_17_11_the_damping_only_takes)
                                                           (fvi_history_kind)kind,
                                                           0, &m),
                                  FVI_SUCCESS);
-                const double *w = fvi_lobatto_history_now(m),
+                const double *w = fvi_lobatto_history_w0(m),
                              *b = fvi_lobatto(s)->b;
                 double work = 0, H[4] = { 0 }, v[4], scale = 0;
                 for (size_t k = 0; k < N; k++) {
