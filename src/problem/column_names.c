@@ -213,17 +213,25 @@ int fvi_refuse_unknown_column(const fvi_typed_columns *c, const char *word,
 {
     enum { DAMPERS = 20 };
     const char *names[PLAIN + 6 + 3 * DAMPERS + 1];
-    char own[3 * DAMPERS][80], place[64], damper[24];
+    char own[3 * DAMPERS][80], place[64], damper[24], reaction[32] = "";
     size_t n = 0;
     for (; n < PLAIN; n++)
         names[n] = plain[n].name;
     if (!c->source->ground)
         n--;
     names[n++] = "y";
-    if (c->source->mechanism && c->source->mechanism->constraints) {
+    const fvi_constraints *ties = c->source->mechanism ? c->source->mechanism->constraints : NULL;
+    char of_ties[48] = "";
+    if (ties) {
         names[n++] = "multiplier1";
-        names[n++] = "reaction1";
+        snprintf(of_ties, sizeof of_ties, ", multiplier1");
     }
+    for (size_t i = 0; ties && ties->imposed && i < ties->count && !*reaction; i++)
+        if (ties->imposed[i]) { /* the first coordinate that is prescribed; another has no reaction */
+            snprintf(reaction, sizeof reaction, "reaction%zu", ties->imposed[i]);
+            snprintf(of_ties, sizeof of_ties, ", multiplier1, %s", reaction);
+            names[n++] = reaction;
+        }
     if (c->source->events) {
         names[n++] = "event1.count";
         names[n++] = "event1.last";
@@ -243,7 +251,7 @@ int fvi_refuse_unknown_column(const fvi_typed_columns *c, const char *word,
     return fvi_refuse(error, "columns",
                       "'%.*s' is none of t, x, p, v, a, F, energy, work, balance, y%s%s%s, %s, nor an expression%s",
                       length < 40 ? (int)length : 40, word, c->source->ground ? ", ag" : "",
-                      c->source->mechanism && c->source->mechanism->constraints ? ", multiplier1, reaction1" : "",
+                      of_ties,
                       c->source->events ? ", event1.count, event1.last, event1.force" : "",
                       damper_count(c) > 0 ? names[n - 3] : "DAMPER.force", fvi_word_hint(word, length, names, place));
 }

@@ -185,6 +185,9 @@ START_TEST(a_name_in_another_place_is_not_passed_over)
     write_file("speed.csv", "time;v;x\n0;1;5\n1;1;5\n2;1;4\n");
     ck_assert_int_eq(fvi("fit speed.csv"), 2);
     ck_assert_ptr_nonnull(strstr(err, "fvi: DATA: speed.csv: a line names a column 'x' and no 't'"));
+    write_file("turned.csv", "x,time\n5,0\n6,1\n7,2\n");
+    ck_assert_int_eq(fvi("fit turned.csv"), 2);
+    ck_assert_ptr_nonnull(strstr(err, "fvi: DATA: turned.csv: a line names a column 'x' and no 't'"));
     write_file("twice.csv", "omega,storage,storage\n1,2,3\n2,3,4\n4,5,6\n8,7,8\n");
     ck_assert_int_eq(fvi("fit --moduli twice.csv"), 2);
     ck_assert_ptr_nonnull(strstr(err, "a line names a column 'storage' and no 'loss'"));

@@ -213,7 +213,7 @@ START_TEST(multipliers_and_reactions_are_columns)
     ck_assert_refused_with("run --potential 'x1^2+x2^2' --impose 'x2=1' --v0 0 "
                            "--columns reaction1",
                            "fvi: --columns: 'reaction1' is none of t, x, p, v, a, "
-                           "F, energy, work, balance, y, multiplier1, reaction1");
+                           "F, energy, work, balance, y, multiplier1, reaction2");
 }
 END_TEST
 
