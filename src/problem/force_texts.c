@@ -18,16 +18,16 @@ static int read_columns(fvi_force_part *p, const char *field, const char *text,
     if (!comma) {
         const char *const columns[] = { "t", strcmp(field, "ground") ? "F" : "ag" };
         p->file = strdup(text);
-        return p->file ? fvi_parse_table(field, text, columns, &p->n, &p->t,
-                                         &p->F, error)
+        return p->file ? fvi_parse_table(field, text, columns, &p->rows, &p->times,
+                                         &p->values, error)
                        : fvi_no_memory(error, field);
     }
     char *time = strndup(colon + 1, (size_t)(comma - colon - 1));
     p->file = strndup(text, (size_t)(colon - text));
     const char *const columns[] = { time, comma + 1 };
     const int status =
-        time && p->file ? fvi_parse_named_table(field, p->file, columns, &p->n,
-                                                &p->t, &p->F, error)
+        time && p->file ? fvi_parse_named_table(field, p->file, columns, &p->rows,
+                                                &p->times, &p->values, error)
                         : fvi_no_memory(error, field);
     free(time);
     return status;
@@ -40,15 +40,15 @@ static int read_file(fvi_force_part *p, const char *field, const char *text, dou
     const int status = read_columns(p, field, text, error);
     if (status)
         return status;
-    for (size_t i = 0; i < p->n; i++)
-        p->F[i] *= gain;
-    if (!fvi_all_finite(p->n, p->F))
+    for (size_t i = 0; i < p->rows; i++)
+        p->values[i] *= gain;
+    if (!fvi_all_finite(p->rows, p->values))
         return fvi_fail(error, FVI_EDOM, field, gain, "a number of %s times its factor is not finite", p->file);
-    if (p->t[0] > 0)
-        return fvi_fail(error, FVI_EDOM, field, p->t[0], "%s begins at t = %g, the run at 0", p->file, p->t[0]);
-    if (p->t[p->n - 1] < last * (1 - 1e-12))
-        return fvi_fail(error, FVI_EDOM, field, p->t[p->n - 1], "%s ends at t = %g, the run at %g", p->file,
-                        p->t[p->n - 1], last);
+    if (p->times[0] > 0)
+        return fvi_fail(error, FVI_EDOM, field, p->times[0], "%s begins at t = %g, the run at 0", p->file, p->times[0]);
+    if (p->times[p->rows - 1] < last * (1 - 1e-12))
+        return fvi_fail(error, FVI_EDOM, field, p->times[p->rows - 1], "%s ends at t = %g, the run at %g", p->file,
+                        p->times[p->rows - 1], last);
     return FVI_SUCCESS;
 }
 
@@ -82,9 +82,10 @@ static int read_scaled_file(fvi_force_part *p, const char *field, const char *te
 static int parse_impulse(fvi_force_part *p, const char *field, const char *text,
                          double last, fvi_error *error)
 {
-    p->hits = 1;
-    if (!(p->p[1] >= 0 && p->p[1] <= last * (1 + 1e-12)))
-        return fvi_fail(error, FVI_EDOM, field, p->p[1], "'%s' is not within the run, 0 <= T <= %g", text, last);
+    p->is_impulse = 1;
+    if (!(p->constants[1] >= 0 && p->constants[1] <= last * (1 + 1e-12)))
+        return fvi_fail(error, FVI_EDOM, field, p->constants[1], "'%s' is not within the run, 0 <= T <= %g", text,
+                        last);
     return FVI_SUCCESS;
 }
 
@@ -92,10 +93,10 @@ static int parse_impulse(fvi_force_part *p, const char *field, const char *text,
 static int scan_ready_made(fvi_force_part *p, const char *text)
 {
     p->kind = strcasecmp(text, "none") == 0             ? FVI_FORCING_NONE
-              : fvi_scan_call(text, "step", 2, p->p)   ? FVI_FORCING_STEP
+              : fvi_scan_call(text, "step", 2, p->constants)   ? FVI_FORCING_STEP
                                                        : FVI_FORCING_COSINE;
     return p->kind != FVI_FORCING_COSINE
-           || fvi_scan_call(text, "cosine", 2, p->p);
+           || fvi_scan_call(text, "cosine", 2, p->constants);
 }
 
 /* Parse an expression in t. If it is one in x or v, the message names the option for such forces, because it is no
@@ -131,11 +132,11 @@ static int parse_part(fvi_force_part *p, const char *field, const char *text,
     if (file)
         return read_scaled_file(p, field, text, file, last, error);
     if (scan_ready_made(p, text))
-        return p->kind == FVI_FORCING_STEP && p->p[1] < 0
-                   ? fvi_fail(error, FVI_EDOM, field, p->p[1], "'%s' ends before it begins", text)
+        return p->kind == FVI_FORCING_STEP && p->constants[1] < 0
+                   ? fvi_fail(error, FVI_EDOM, field, p->constants[1], "'%s' ends before it begins", text)
                    : FVI_SUCCESS;
     p->kind = FVI_FORCING_NONE;
-    if (fvi_scan_call(text, "impulse", 2, p->p))
+    if (fvi_scan_call(text, "impulse", 2, p->constants))
         return parse_impulse(p, field, text, last, error);
     if (words[word])
         return fvi_refuse(error, field, "'%s' is not %s", text, word ? fvi_force_formulas[word - 1].form : words[0]);
@@ -173,15 +174,15 @@ static int collect_jumps(fvi_typed_force *f)
 {
     size_t room = 0;
     for (size_t i = 0; i < f->count; i++)
-        room += f->parts[i].t ? f->parts[i].n : 1;
+        room += f->parts[i].times ? f->parts[i].rows : 1;
     f->jumps = malloc(room * sizeof *f->jumps);
     if (!f->jumps)
         return FVI_ENOMEM;
     for (double t; !isnan(t = fvi_typed_force_jump(f, f->jump_count));)
         f->jumps[f->jump_count++] = t;
     for (size_t i = 0; i < f->count; i++)
-        for (size_t k = 0; f->parts[i].t && k < f->parts[i].n; k++)
-            f->jumps[f->jump_count++] = f->parts[i].t[k];
+        for (size_t k = 0; f->parts[i].times && k < f->parts[i].rows; k++)
+            f->jumps[f->jump_count++] = f->parts[i].times[k];
     return 0;
 }
 
@@ -196,7 +197,7 @@ static int collect_impulses(fvi_typed_force *f, size_t d)
 {
     size_t n = 0;
     for (size_t i = 0; i < f->count; i++)
-        n += f->parts[i].hits != 0;
+        n += f->parts[i].is_impulse != 0;
     if (n == 0)
         return 0;
     f->impulses = malloc(n * sizeof *f->impulses);
@@ -204,13 +205,13 @@ static int collect_impulses(fvi_typed_force *f, size_t d)
     if (!f->impulses || !f->J)
         return FVI_ENOMEM;
     for (size_t i = 0; i < f->count; i++) {
-        if (!f->parts[i].hits)
+        if (!f->parts[i].is_impulse)
             continue;
         double *J = f->J + f->impulse_count * d;
         for (size_t j = 0; j < d; j++)
-            J[j] = f->parts[i].p[0];
+            J[j] = f->parts[i].constants[0];
         f->impulses[f->impulse_count++] =
-            (fvi_impulse){ .t = f->parts[i].p[1], .J = J };
+            (fvi_impulse){ .t = f->parts[i].constants[1], .J = J };
     }
     qsort(f->impulses, n, sizeof *f->impulses, compare_times);
     return 0;

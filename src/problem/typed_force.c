@@ -6,55 +6,59 @@
 #include <stdlib.h>
 #include <string.h>
 
-static fvi_polygon rows_of(const fvi_force_part *p)
+/* Return the table of a part as a polygon of one column. */
+static fvi_polygon table_of(const fvi_force_part *part)
 {
-    return (fvi_polygon){ p->n, 1, 1, p->t, p->F };
+    return (fvi_polygon){ part->rows, 1, 1, part->times, part->values };
 }
 
-static fvi_force ready_made(const fvi_force_part *p)
+/* Return the force of a part that is a step or a cosine; for none, a cosine of amplitude 0. */
+static fvi_force ready_made(const fvi_force_part *part)
 {
-    return p->kind == FVI_FORCING_STEP ? fvi_force_step(p->p)
-                                       : fvi_force_cosine(p->p);
+    return part->kind == FVI_FORCING_STEP ? fvi_force_step(part->constants)
+                                          : fvi_force_cosine(part->constants);
 }
 
-/* Return nonzero for none, a step or a cosine. */
-static int is_ready_made(const fvi_force_part *p)
+/* Return nonzero if the part has only a kind: none, a step or a cosine. */
+static int is_ready_made(const fvi_force_part *part)
 {
-    return !p->expression && !p->t && !p->hits;
+    return !part->expression && !part->times && !part->is_impulse;
 }
 
-int fvi_typed_force_part_value(const fvi_force_part *p, double t, double *F)
+int fvi_typed_force_part_value(const fvi_force_part *part, double t, double *F)
 {
-    if (p->expression) {
-        *F = fvi_expression_value(p->expression, &t);
-        return 0;
+    if (part->expression) {
+        *F = fvi_expression_value(part->expression, &t);
+        return FVI_SUCCESS;
     }
-    if (p->t) {
-        const fvi_polygon rows = rows_of(p);
-        *F = fvi_polygon_value(&rows, t);
-        return 0;
+    if (part->times) {
+        const fvi_polygon table = table_of(part);
+        *F = fvi_polygon_value(&table, t);
+        return FVI_SUCCESS;
     }
     *F = 0;
-    if (p->hits)
-        return 0;
-    const fvi_force force = ready_made(p);
+    if (part->is_impulse)
+        return FVI_SUCCESS;
+    const fvi_force force = ready_made(part);
     return force.value(t, 1, force.params, F);
 }
 
-static int bound_of(const fvi_force_part *p, double from, double to, size_t order,
-                    double *most)
+/* Compute bounds of one part and its derivatives between two times, as the member `bound` of fvi_force does for one
+ * coordinate: most[k] for the derivative of order k, k = 0, ..., order. */
+static int bound_part(const fvi_force_part *part, double from, double to, size_t order,
+                      double *most)
 {
     memset(most, 0, (order + 1) * sizeof *most);
-    if (p->t) {
-        const fvi_polygon rows = rows_of(p);
-        fvi_polygon_bound(&rows, from, to, order, 1, most);
-        return 0;
+    if (part->times) {
+        const fvi_polygon table = table_of(part);
+        fvi_polygon_bound(&table, from, to, order, 1, most);
+        return FVI_SUCCESS;
     }
-    if (p->hits)
-        return 0;
-    const fvi_force force = p->expression
-                                ? fvi_force_expression(p->expression)
-                                : ready_made(p);
+    if (part->is_impulse)
+        return FVI_SUCCESS;
+    const fvi_force force = part->expression
+                                ? fvi_force_expression(part->expression)
+                                : ready_made(part);
     return force.bound(from, to, order, 1, force.params, most);
 }
 
@@ -62,11 +66,10 @@ double fvi_typed_force_by_parameter(const fvi_typed_force *f, size_t j, double t
 {
     double sum = 0;
     for (size_t i = 0; i < f->count; i++) {
-        double one = 0;
+        double slope = 0;
         if (f->parts[i].expression)
-            fvi_expression_parameter_gradient(f->parts[i].expression, j, &t, &one,
-                                        NULL);
-        sum += one;
+            fvi_expression_parameter_gradient(f->parts[i].expression, j, &t, &slope, NULL);
+        sum += slope;
     }
     return sum;
 }
@@ -76,36 +79,36 @@ static int force_value(double t, size_t d, void *params, double *F)
     const fvi_typed_force *f = params;
     double sum = 0;
     for (size_t i = 0; i < f->count; i++) {
-        double one;
-        int status = fvi_typed_force_part_value(&f->parts[i], t, &one);
+        double value;
+        int status = fvi_typed_force_part_value(&f->parts[i], t, &value);
         if (status)
             return status;
-        sum += one;
+        sum += value;
     }
     for (size_t i = 0; i < d; i++)
         F[i] = sum;
-    return 0;
+    return FVI_SUCCESS;
 }
 
 static int force_bound(double from, double to, size_t order, size_t d,
                        void *params, double *most)
 {
     const fvi_typed_force *f = params;
-    double one[FVI_BOUND_ORDER + 1], sum[FVI_BOUND_ORDER + 1] = { 0 };
+    double bound[FVI_BOUND_ORDER + 1], sum[FVI_BOUND_ORDER + 1] = { 0 };
     for (size_t i = 0; i < f->count; i++) {
-        int status = bound_of(&f->parts[i], from, to, order, one);
+        int status = bound_part(&f->parts[i], from, to, order, bound);
         if (status)
             return status;
         for (size_t k = 0; k <= order; k++)
-            sum[k] += one[k];
+            sum[k] += bound[k];
     }
     for (size_t k = 0; k <= order; k++)
         for (size_t i = 0; i < d; i++)
             most[k * d + i] = sum[k];
-    return 0;
+    return FVI_SUCCESS;
 }
 
-/* A single step or cosine is evaluated directly. */
+/* A single step or cosine is evaluated by its own functions, and no force by none. */
 fvi_force fvi_force_typed(const fvi_typed_force *f)
 {
     const fvi_force_part *first = f->parts;
@@ -128,7 +131,7 @@ int fvi_typed_force_is_simple(const fvi_typed_force *f, fvi_forcing *kind,
     if (f->count != 1 || !is_ready_made(f->parts))
         return 0;
     *kind = f->parts->kind;
-    memcpy(constants, f->parts->p, sizeof f->parts->p);
+    memcpy(constants, f->parts->constants, sizeof f->parts->constants);
     return 1;
 }
 
@@ -143,9 +146,9 @@ const char *fvi_typed_force_file(const fvi_typed_force *f, size_t i)
 double fvi_typed_force_jump(const fvi_typed_force *f, size_t i)
 {
     for (size_t n = 0; n < f->count; n++)
-        if ((f->parts[n].kind == FVI_FORCING_STEP || f->parts[n].hits)
+        if ((f->parts[n].kind == FVI_FORCING_STEP || f->parts[n].is_impulse)
             && i-- == 0)
-            return f->parts[n].p[1];
+            return f->parts[n].constants[1];
     return NAN;
 }
 
@@ -154,7 +157,7 @@ void fvi_typed_force_free(fvi_typed_force *f)
     for (size_t i = 0; f && i < f->count; i++) {
         fvi_expression_free(f->parts[i].expression);
         free(f->parts[i].file);
-        free(f->parts[i].t);
+        free(f->parts[i].times);
     }
     if (f) {
         free(f->parts);

@@ -5,29 +5,30 @@
 #include <fvi/parse.h>
 #include "system/lanes.h"
 
-/* One of: an expression, a table of n rows, an impulse p[0] at p[1] (hits is nonzero), or a step or cosine with the
- * constants p. */
+/* One part of a force. It is an expression, a table, an impulse, or else of the given kind. */
 typedef struct {
-    fvi_expression *expression;
-    char *file; /* name of the table's file */
-    size_t n;
-    double *t, *F;
-    int hits;
+    fvi_expression *expression; /* an expression in t, owned; NULL: the part is none */
+    char *file;                 /* name of the table's file, owned; or NULL */
+    size_t rows;                /* number of rows of the table */
+    double *times, *values;     /* t and F of each row, one block that begins with times, owned; NULL: no table */
+    int is_impulse;
     fvi_forcing kind;
-    double p[2];
+    /* the constants: amplitude and end of a step, amplitude and frequency of a cosine, size and time of an impulse */
+    double constants[2];
 } fvi_force_part;
 
+/* A force that was typed: the sum of its parts, the same on each of d coordinates. */
 struct fvi_typed_force {
-    size_t count;
+    size_t count;          /* number of parts */
     fvi_force_part *parts;
-    size_t jump_count; /* the ends of steps and the impulses, then the rows of tables */
-    double *jumps;
-    size_t impulse_count; /* in the order of their times */
-    fvi_impulse *impulses;
-    double *J; /* d numbers for each impulse */
+    size_t jump_count;     /* number of times at which the force is not smooth */
+    double *jumps;         /* the ends of steps and the times of impulses, then the rows of tables */
+    size_t impulse_count;
+    fvi_impulse *impulses; /* in the order of their times */
+    double *J;             /* the vectors of the impulses, d numbers each */
 };
 
-/* fvi_typed_force_part_value -- Compute the value of one part. Return 0.
+/* fvi_typed_force_part_value -- Compute the value of one part at t. An impulse has the value 0. Return FVI_SUCCESS.
  * fvi_typed_force_lanes -- The functions for several lanes whose forces have equally many parts; the params are
  * fvi_typed_force. */
 int fvi_typed_force_part_value(const fvi_force_part *p, double t, double *F);

@@ -24,8 +24,8 @@ typedef struct {
 
 static int is_same_table(const fvi_force_part *a, const fvi_force_part *b)
 {
-    return a->t && b->t && a->n == b->n && memcmp(a->t, b->t, a->n * sizeof *a->t) == 0
-           && memcmp(a->F, b->F, a->n * sizeof *a->F) == 0;
+    return a->times && b->times && a->rows == b->rows && memcmp(a->times, b->times, a->rows * sizeof *a->times) == 0
+           && memcmp(a->values, b->values, a->rows * sizeof *a->values) == 0;
 }
 
 /* Prepare part i in all lanes. If the functions return FVI_EUNSUP, the part is evaluated lane by lane. */
@@ -38,9 +38,9 @@ static int prepare_part(const prepared_force *f, size_t count, size_t i, prepare
         fvi_force_part *p = f->of[l]->parts + i;
         part->is_shared = part->is_shared && is_same_table(f->of[0]->parts + i, p);
         is_expression = is_expression && p->expression;
-        is_cosine = is_cosine && !p->expression && !p->t && !p->hits
+        is_cosine = is_cosine && !p->expression && !p->times && !p->is_impulse
                     && p->kind == FVI_FORCING_COSINE;
-        params[l] = is_expression ? (void *)p->expression : (void *)p->p;
+        params[l] = is_expression ? (void *)p->expression : (void *)p->constants;
     }
     if (is_expression)
         part->functions = &fvi_expression_value_lanes;

@@ -16,13 +16,14 @@ _Static_assert((int)FVI_BATCH_MOST == (int)FVI_MOST_LANES, "a batch has a vector
 
 struct fvi_batch {
     fvi_lanes lanes;
-    fvi_system system;
-    fvi_run run;
+    fvi_system system; /* the common system of the lanes */
+    fvi_run run;       /* the run of this system */
     double x0[FVI_MOST_LANES], p0[FVI_MOST_LANES], mass[FVI_MOST_LANES], damping[FVI_MOST_LANES];
 };
 
 /* ---- which runs can go together ---- */
 
+/* Return 1 if two laws have the same weights: they have the same terms, or both are no law. */
 static int is_same_law(const fvi_kernel *a, const fvi_kernel *b)
 {
     if (a == b)
@@ -30,15 +31,15 @@ static int is_same_law(const fvi_kernel *a, const fvi_kernel *b)
     if (!a || !b || a->count != b->count)
         return 0;
     for (size_t i = 0; i < a->count; i++) {
-        const fvi_kernel_term *s = a->term + i, *t = b->term + i;
-        if (s->kind != t->kind || s->rho != t->rho || s->alpha != t->alpha || s->time != t->time
-            || s->end != t->end || (s->kind == FVI_KERNEL_SYMBOL && s != t))
+        const fvi_kernel_term *x = a->term + i, *y = b->term + i;
+        if (x->kind != y->kind || x->rho != y->rho || x->alpha != y->alpha || x->time != y->time
+            || x->end != y->end || (x->kind == FVI_KERNEL_SYMBOL && x != y))
             return 0;
     }
     return 1;
 }
 
-/* The reason why this run cannot go together with any other run, or NULL. */
+/* Return the reason why this run cannot go together with any other run, or NULL. */
 static const char *reason_against_run(const fvi_method *method, const fvi_run *run)
 {
     const fvi_system *system = run->system;
@@ -60,8 +61,8 @@ static const char *reason_against_run(const fvi_method *method, const fvi_run *r
 /* The reason why these two runs cannot go together, though each could with other runs; or NULL. */
 static const char *reason_against_pair(const fvi_method *method, const fvi_run *a, const fvi_run *b)
 {
-    const fvi_system *s = a->system, *t = b->system;
-    const fvi_potential *u = &s->potential, *w = &t->potential;
+    const fvi_system *system_a = a->system, *system_b = b->system;
+    const fvi_potential *U_a = &system_a->potential, *U_b = &system_b->potential;
     if (a->h != b->h || a->steps != b->steps)
         return "the steps differ";
     if (a->alpha != b->alpha || !is_same_law(a->law, b->law) || a->past != b->past
@@ -69,12 +70,13 @@ static const char *reason_against_pair(const fvi_method *method, const fvi_run *
         return "the memories differ";
     if (a->kappa != b->kappa)
         return "kappa differs";
-    if (method->stages && (*s->mass != *t->mass || *s->damping != *t->damping))
+    if (method->stages
+        && (*system_a->mass != *system_b->mass || *system_a->damping != *system_b->damping))
         return "with stages the masses and the dampings must be the same";
-    if (!u->gradient != !w->gradient || fvi_potential_is_quadratic(u) != fvi_potential_is_quadratic(w)
-        || !u->diagonals != !w->diagonals)
+    if (!U_a->gradient != !U_b->gradient || fvi_potential_is_quadratic(U_a) != fvi_potential_is_quadratic(U_b)
+        || !U_a->diagonals != !U_b->diagonals)
         return "the potentials are of different kinds";
-    return !s->force.value != !t->force.value ? "one has a force, another none" : NULL;
+    return !system_a->force.value != !system_b->force.value ? "one has a force, another none" : NULL;
 }
 
 const char *fvi_batch_refusal(const fvi_method *method, size_t count, const fvi_run *run)
@@ -95,6 +97,7 @@ const char *fvi_batch_refusal(const fvi_method *method, size_t count, const fvi_
 
 /* ---- one run of several ---- */
 
+/* Make the common run of `count` runs. What all runs share is that of the first run. */
 static void fill_lanes(fvi_batch *b, size_t count, const fvi_run *run)
 {
     b->lanes.count = count;
@@ -144,15 +147,16 @@ const fvi_run *fvi_batch_run(const fvi_batch *batch)
 
 /* ---- many runs ---- */
 
-/* Which rows are wanted, and the arrays that they go to. Of a batch there is an array for each lane; lanes = 0 means a
- * single run, of any number of coordinates, with one array. */
+/* Which rows are wanted, and the arrays that they go to. A batch has an array for each lane, with one number in each
+ * row. A single run has one array, with d numbers in each row. */
 typedef struct {
-    size_t rows;
-    const size_t *row;
-    size_t lanes;
-    double *const *x, *const *p;
+    size_t rows;                 /* number of rows */
+    const size_t *row;           /* the step of each row; NULL: row r is step r */
+    size_t lanes;                /* number of lanes; 0: a single run */
+    double *const *x, *const *p; /* the arrays, for each lane; each list and each array may be NULL */
 } wanted_rows;
 
+/* Return the outputs for `lanes` runs from run number `first` on, or, if lanes = 0, for this run alone. */
 static wanted_rows outputs_from_run(const wanted_rows *all, size_t first, size_t lanes)
 {
     wanted_rows w = *all;
@@ -170,6 +174,7 @@ static void write_lanes(const wanted_rows *w, double *const *to, const double *v
             to[l][r] = v[l];
 }
 
+/* Advance to row r, and write it. */
 static int advance_to_row(fvi_stepper *s, const wanted_rows *w, size_t r)
 {
     const size_t d = s->run.system->d;
@@ -186,7 +191,8 @@ static int advance_to_row(fvi_stepper *s, const wanted_rows *w, size_t r)
     return status;
 }
 
-static int run_alone(const fvi_method *method, const fvi_run *run, const wanted_rows *w)
+/* Make a run, which may be that of a batch, and write its rows. */
+static int write_run(const fvi_method *method, const fvi_run *run, const wanted_rows *w)
 {
     fvi_stepper *s;
     int status = fvi_stepper_start(method, run, &s, NULL);
@@ -198,20 +204,21 @@ static int run_alone(const fvi_method *method, const fvi_run *run, const wanted_
     return status;
 }
 
-static int run_lanes(const fvi_method *method, size_t count, const fvi_run *run,
-                     const wanted_rows *w)
+/* Make `count` runs as one batch, and write their rows. */
+static int write_batch(const fvi_method *method, size_t count, const fvi_run *run,
+                       const wanted_rows *w)
 {
     fvi_batch *batch;
     int status = fvi_batch_alloc(method, count, run, &batch, NULL);
     if (status)
         return status;
-    status = run_alone(method, fvi_batch_run(batch), w);
+    status = write_run(method, fvi_batch_run(batch), w);
     fvi_batch_free(batch);
     return status;
 }
 
-/* How many runs, from the first on, can go together: at most 8. */
-static size_t group_of(const fvi_method *method, size_t count, const fvi_run *run)
+/* Return how many runs, from the first one on, can go together: at most 8. */
+static size_t count_group(const fvi_method *method, size_t count, const fvi_run *run)
 {
     size_t n = count < FVI_BATCH_MOST ? count : FVI_BATCH_MOST;
     while (n > 1 && fvi_batch_refusal(method, n, run))
@@ -225,20 +232,20 @@ int fvi_batch_trajectories(const fvi_method *method, size_t count, const fvi_run
     if (!method || !run)
         FVI_FAIL("null pointer", FVI_EFAULT);
     const wanted_rows all = { rows, row, 0, x, p };
-    int first = FVI_SUCCESS;
-    for (size_t at = 0, n; at < count; at += n) {
-        n = group_of(method, count - at, run + at);
-        wanted_rows w = outputs_from_run(&all, at, n);
-        const int is_done = n > 1 && !run_lanes(method, n, run + at, &w);
-        for (size_t i = at; i < at + n; i++) {
+    int first_failure = FVI_SUCCESS;
+    for (size_t first = 0, group; first < count; first += group) {
+        group = count_group(method, count - first, run + first);
+        wanted_rows w = outputs_from_run(&all, first, group);
+        const int is_done = group > 1 && !write_batch(method, group, run + first, &w);
+        for (size_t i = first; i < first + group; i++) { /* one by one, if the batch failed */
             w = outputs_from_run(&all, i, 0);
-            const int own = is_done ? FVI_SUCCESS : run_alone(method, run + i, &w);
-            first = first ? first : own;
+            const int own = is_done ? FVI_SUCCESS : write_run(method, run + i, &w);
+            first_failure = first_failure ? first_failure : own;
             if (status)
                 status[i] = own;
         }
     }
-    return first;
+    return first_failure;
 }
 
 void fvi_batch_free(fvi_batch *batch)
