@@ -27,8 +27,7 @@ typedef fvi_estimation_work search;
 //> starts
 /* Set the start of search number `start`. Start 0 has the values of the run. The other starts are points of Sobol's
  * sequence in the box from low to high, uniform in the logarithm of a parameter that is positive and no order. */
-static void set_start(search *o, const double *low, const double *high,
-                      gsl_qrng *sobol, size_t start)
+static void set_start(search *o, const double *low, const double *high, gsl_qrng *sobol, size_t start)
 {
     double share[FVI_ESTIMATION_MOST]; /* of each side of the box, between 0 and 1 */
     fvi_estimation_model *m = &o->model;
@@ -37,8 +36,7 @@ static void set_start(search *o, const double *low, const double *high,
         gsl_qrng_get(sobol, share);
     for (size_t j = 0; j < o->fdf.p; j++) {
         const int logarithmic =
-            low[j] > 0
-            && fvi_estimation_kind_of(m->fit, j) != FVI_ESTIMATION_ORDER;
+            low[j] > 0 && fvi_estimation_kind_of(m->fit, j) != FVI_ESTIMATION_ORDER;
         double theta;
         if (start == 0)
             theta = fvi_estimation_model_get(m, j);
@@ -61,8 +59,7 @@ static void update_best(const search *o, size_t k, size_t *best)
 
 /* Search from all starts. When the best chi^2 so far is as good as that of the true parameters would be, a start that
  * makes little progress is given up. Return FVI_SUCCESS or an error code. */
-static int search_from_all_starts(search *o, const double *low, const double *high,
-                                  size_t *best)
+static int search_from_all_starts(search *o, const double *low, const double *high, size_t *best)
 {
     const fvi_estimation *fit = o->model.fit;
     gsl_qrng *sobol = gsl_qrng_alloc(gsl_qrng_sobol, (unsigned)fit->parameters);
@@ -77,8 +74,7 @@ static int search_from_all_starts(search *o, const double *low, const double *hi
         const double least = o->found[*best].sum;
         o->found[k].sum = GSL_POSINF;
         if (fvi_all_finite(fit->parameters, o->found[k].u))
-            fvi_estimation_minimise(o, &o->found[k],
-                             k > 0 && least < o->believed ? least : GSL_POSINF);
+            fvi_estimation_minimise(o, &o->found[k], k > 0 && least < o->believed ? least : GSL_POSINF);
         update_best(o, k, best);
         const int end = fvi_interrupted();
         if (end)
@@ -149,8 +145,7 @@ static double size_of_parameter(const search *o, size_t j, double theta)
 }
 
 /* Return the number of starts that ended within sd / 10 of the best, or within 1e-6 of its size. (24.5) */
-static size_t count_agreeing_starts(const search *o, const place *best,
-                                    const fvi_estimate *fitted)
+static size_t count_agreeing_starts(const search *o, const place *best, const fvi_estimate *fitted)
 {
     const fvi_estimation_model *m = &o->model;
     size_t agree = 0;
@@ -168,8 +163,7 @@ static size_t count_agreeing_starts(const search *o, const place *best,
 }
 
 /* Return nonzero if some parameter of u is farther than a standard deviation from theta. */
-static int is_far_from(const search *o, const double *u, const double *theta,
-                       const double *sd)
+static int is_far_from(const search *o, const double *u, const double *theta, const double *sd)
 {
     for (size_t j = 0; j < o->fdf.p; j++)
         if (fabs(fvi_estimation_u_to_theta(&o->model, j, u[j]) - theta[j]) > sd[j])
@@ -344,8 +338,7 @@ static int search_everywhere(search *o, size_t *first, place *best, fvi_estimate
 
 /* Do the whole fit: set the step, search, compute the statistics, halve the step, and record the curve and the other
  * minima. */
-static int run_search(search *o, const double *low, const double *high,
-                      double *curve, fvi_estimate *fitted)
+static int run_search(search *o, const double *low, const double *high, double *curve, fvi_estimate *fitted)
 {
     const fvi_estimation *fit = o->model.fit;
     size_t first = 0;

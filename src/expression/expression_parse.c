@@ -66,8 +66,7 @@ static int append_node(parser *p, fvi_node new)
         return 0;
     if (p->count == p->room) {
         const size_t room = 2 * p->room + 64;
-        fvi_node *node =
-            room < MOST_NODES ? realloc(p->node, room * sizeof *node) : NULL;
+        fvi_node *node = room < MOST_NODES ? realloc(p->node, room * sizeof *node) : NULL;
         if (!node) {
             p->status = FVI_ENOMEM;
             return 0;
@@ -233,8 +232,7 @@ static int parse_call(parser *p, fvi_operation op)
 
 /* Return the number, from 0, of the name among the variables x1, ..., xd, if `variable` is "x"; for d = 1 also of x
  * alone. Return -1 if the name is none of them. */
-static int find_numbered_variable(const char *variable, size_t d, const char *at,
-                                  size_t length)
+static int find_numbered_variable(const char *variable, size_t d, const char *at, size_t length)
 {
     const size_t stem = strlen(variable);
     if (d == 1 && is_word(at, length, variable))
@@ -283,8 +281,7 @@ static int parse_name(parser *p)
         if (is_word(from, length, fvi_tape_functions[f]))
             return parse_call(p, (fvi_operation)(TAPE_FUNCTIONS + f));
     if (is_word(from, length, "pi"))
-        return append_node(p, (fvi_node){ .op = TAPE_NUMBER,
-                                     .number = 3.14159265358979323846 });
+        return append_node(p, (fvi_node){ .op = TAPE_NUMBER, .number = 3.14159265358979323846 });
     return refuse(p, from, "no such name");
 }
 

@@ -133,8 +133,7 @@ static double force_near_start_of_law(const fvi_observer *o, size_t j, size_t da
                                       const fvi_law_row *rows)
 {
     const comparison c = choose_comparison(o, j, damper, rows);
-    const size_t known = k > c.first_known ? k - c.first_known : 0,
-                 n = known < o->degree ? known : o->degree;
+    const size_t known = k > c.first_known ? k - c.first_known : 0, n = known < o->degree ? known : o->degree;
     const double *exact = rows[k - 1].exact;
     double change[FVI_MOST_DIFFERENCES + 1], force = 0, g = 0;
     impulse_changes(o, j, n, change);
@@ -196,8 +195,7 @@ double fvi_observer_slope(const fvi_observer *o, size_t j, size_t k, double h)
     return differentiate(n, change) / h;
 }
 
-void fvi_observer_differences(const fvi_observer *o, size_t k, double h,
-                              double *slope)
+void fvi_observer_differences(const fvi_observer *o, size_t k, double h, double *slope)
 {
     if (k == 0) {
         memcpy(slope, o->start, o->tracked * sizeof *slope);
@@ -212,8 +210,7 @@ void fvi_observer_differences(const fvi_observer *o, size_t k, double h,
 
 /* Add the force of damper j to the sum of forces on the coordinates: its force along the elongation times the gradient
  * of the elongation. o->change is room for the gradient. */
-static int add_force_of_elongation(const fvi_observer *o, const fvi_stepper *s, size_t j,
-                          double *sum)
+static int add_force_of_elongation(const fvi_observer *o, const fvi_stepper *s, size_t j, double *sum)
 {
     const fvi_elongation *of = &s->run.system->mechanism->damper[j].of;
     int status = FVI_SUCCESS;
@@ -224,8 +221,7 @@ static int add_force_of_elongation(const fvi_observer *o, const fvi_stepper *s, 
     return status;
 }
 
-int fvi_observer_damping(const fvi_observer *o, const fvi_stepper *s,
-                         double *sum)
+int fvi_observer_damping(const fvi_observer *o, const fvi_stepper *s, double *sum)
 {
     int status = FVI_SUCCESS;
     memset(sum, 0, o->d * sizeof *sum);
@@ -279,8 +275,7 @@ static double force_at_start(const fvi_run_damper *of, double z0, double zdot)
 
 /* Return the exponent q with which the impulse of a damper begins, J = t^q g(t). A jump of z gives 1 - order, a line
  * gives 2 - order. */
-static double exponent_at_start(double order, fvi_initial_history past,
-                                double z0)
+static double exponent_at_start(double order, fvi_initial_history past, double z0)
 {
     return does_jump(past, z0) && order < 1 ? 1 - order : 2 - order;
 }
@@ -331,8 +326,7 @@ static int begin_coordinates(fvi_observer *o, const fvi_stepper *s)
     return status;
 }
 
-int fvi_observer_elongation(fvi_observer *o, const fvi_stepper *s,
-                            const fvi_elongation *of, double *z, double *rate)
+int fvi_observer_elongation(fvi_observer *o, const fvi_stepper *s, const fvi_elongation *of, double *z, double *rate)
 {
     const double *row = of->row;
     int status = FVI_SUCCESS;
@@ -393,8 +387,7 @@ int fvi_observer_begin_forces(fvi_observer *o, const fvi_stepper *s)
     if (!status && o->begin_v_known)
         fvi_observer_put_massless(o, s, o->v);
     if (!status)
-        status = o->has_mechanism ? begin_mechanism(o, s)
-                                  : begin_coordinates(o, s);
+        status = o->has_mechanism ? begin_mechanism(o, s) : begin_coordinates(o, s);
     for (size_t j = 0; j < o->dampers; j++)
         o->growth[j] = fvi_run_damper_of(&s->run, j).growth;
     if (!status && o->is_damped && !o->is_mass && sums_are_impulses && !s->method->dense)

@@ -5,6 +5,7 @@
 #include "system/fail.h"
 
 #include <fvi/format_double.h>
+#include <fvi/methods.h>
 
 #include <ctype.h>
 #include <math.h>
@@ -237,4 +238,18 @@ const char *fvi_word_hint(const char *text, size_t length,
     if (nearest)
         snprintf(place, 64, "; did you mean %s?", nearest);
     return place;
+}
+
+int fvi_parse_method(const char *text, const fvi_method **method,
+                     fvi_error *error)
+{
+    enum { MOST_METHODS = 63 };
+    const char *words[MOST_METHODS + 1] = { NULL }; /* ended by NULL */
+    size_t which;
+    for (size_t i = 0; i < MOST_METHODS && fvi_methods[i]; i++)
+        words[i] = fvi_methods[i]->name;
+    const int status = fvi_parse_word("method", text, words, &which, error);
+    if (!status)
+        *method = fvi_methods[which];
+    return status;
 }

@@ -2,8 +2,6 @@
 #define _GNU_SOURCE /* for strdup */
 #include "words.h"
 
-#include <fvi/methods.h>
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -397,18 +395,4 @@ void fvi_typed_problem_free(fvi_typed_problem *p)
     free(p->mass);
     free(p->copy);
     free(p);
-}
-
-int fvi_parse_method(const char *text, const fvi_method **method,
-                     fvi_error *error)
-{
-    enum { MOST_METHODS = 63 };
-    const char *words[MOST_METHODS + 1] = { NULL }; /* ended by NULL */
-    size_t which;
-    for (size_t i = 0; i < MOST_METHODS && fvi_methods[i]; i++)
-        words[i] = fvi_methods[i]->name;
-    const int status = fvi_parse_word("method", text, words, &which, error);
-    if (!status)
-        *method = fvi_methods[which];
-    return status;
 }
