@@ -237,13 +237,18 @@ START_TEST(a_tiny_order_has_the_tail_of_its_terms)
         long double sum[2] = { 0, 0 }, now = 0;
         double S[2] = { 0.25, 0 };
         const size_t terms = (size_t)(30 / (alpha * step));
-        for (size_t k = 1; k <= terms; k++) {
-            const long double at = first - (long double)k * step;
-            const long double complex z =
-                cexpl(2 * alpha * (at - ln_h + I * acosl(-1.0L)));
+        const long double fall = expl(-2 * (long double)alpha * step), e_fall = expl(-(long double)step);
+        long double complex z = 0;
+        long double e = 0;
+        for (size_t k = 1; k <= terms; k++, z *= fall, e *= e_fall) {
+            if (k % 64 == 1) { /* 64 products in between are right to 1e-17 */
+                const long double at = first - (long double)k * step;
+                z = cexpl(2 * alpha * (at - ln_h + I * acosl(-1.0L)));
+                e = expl(at);
+            }
             now = cimagl(z / (1 + T * z));
             sum[0] += now;
-            sum[1] += now * expl(at);
+            sum[1] += now * e;
         }
         sum[0] += now / expm1l(2 * (long double)alpha * step);
         fvi_kernel_tail(&zener, 1, ln_h, first, step, 0, &S[0], &S[1]);
