@@ -4,14 +4,15 @@ Proved here:
   (23.28) the derivatives of the symbol of two springpots in series, and of Cole and Davidson's kernel, with
           respect to their numbers.
 Printed: derivatives of runs of three unknowns with three dampers, by Algorithm 3 and (13.7) as they are written in
-the chapters, by complex steps of 10^-45 with 100 digits."""
+the chapters, by dual numbers of 45 digits, with weights from complex steps of 10^-45 with 100 digits."""
 from random import Random
 
 import mpmath
-from mpmath import mpc, mpf
+from mpmath import mpf
 from sympy import Rational, diff, exp, log, symbols
 
-from shared.damper_runs import (TINY, growth_of, numbers_of, product, start_impulses, slope, solve, tilted, weights)
+from shared.arithmetic import BITS, HALF, ONE, UNITS, ZERO, Dual, apart, dot, dual, fixed
+from shared.damper_runs import TINY, growth_of, numbers_of, start_impulses, tilted, weights
 from shared.refgen import METHODS, header, hexd, initial_history, nearest, prove, table
 
 #> symbols
@@ -29,55 +30,90 @@ prove("Cole and Davidson by the time", diff(V ** (2 * a), T) + 2 * a * V * V ** 
 D, N, STEP, DAMPERS = 3, 12, mpf(1) / 16, 3
 
 
-def run(method, kappa, M, K, x0, p0, matrices, kernels, pasts):
-    """Return J = (h/2) sum_{k>=1} |x_k - sin t_k|^2 + |p_N|^2 / 2 of a run."""
-    h, printed, each = STEP, method == "fvi", range(D)
+def with_slopes(find, kernel, units):
+    """Return the numbers find(kernel) as dual numbers. units[l, i] is the unit of the slopes by number i of term l."""
+    found = [dual(v) for v in find(kernel)]
+    for (l, i), unit in units.items():
+        tilted_values = find(tilted([kernel], 0, l, i)[0])
+        found = [u + Dual(0, unit * fixed(mpmath.im(v) / TINY)) for u, v in zip(found, tilted_values)]
+    return found
+
+
+def product(A, x):
+    return [dot(row, x) for row in A]
+
+
+def solve(A, right):
+    """Return x of A x = right. The matrix of a step needs no pivots."""
+    rows = [[*row, r] for row, r in zip(A, right)]
+    for k in range(D):
+        for i in range(k + 1, D):
+            f = rows[i][k] / rows[k][k]
+            rows[i] = [a - f * b for a, b in zip(rows[i], rows[k])]
+    x = [ZERO] * D
+    for i in reversed(range(D)):
+        x[i] = (rows[i][D] - dot(rows[i][i + 1:D], x[i + 1:])) / rows[i][i]
+    return x
+
+
+def force(k):
+    return [dual(mpmath.cos(5 * k * STEP / 4) * (i + 1) / 5) for i in range(D)]
+
+
+def run(method, kappa, M, K, x0, p0, matrices, kernels, pasts, units):
+    """Return J = (h/2) sum_{k>=1} |x_k - sin t_k|^2 + |p_N|^2 / 2 of a run. All numbers are dual numbers but those of
+    the kernels; units[j] are the units of the slopes by the numbers of kernel j."""
+    h, half, printed, each = dual(STEP), dual(STEP / 2), method == "fvi", range(D)
     v0 = solve(M, p0)
-    theta = [kernel[0][2] if method == "shifted" else mpf(method == "stable") / 2 for kernel in kernels]
-    w = [weights(method, kernel, h, N) for kernel in kernels]
+    values = lambda find: [with_slopes(find, kernel, by) for kernel, by in zip(kernels, units)]
+    theta = values(lambda kernel: [kernel[0][2] if method == "shifted" else mpf(method == "stable") / 2])
+    theta = [of_one for of_one, in theta]
+    ends = [(ZERO, ONE)] * DAMPERS if printed else [(h * (HALF - v), h * (HALF + v)) for v in theta]
+    w = values(lambda kernel: weights(method, kernel, STEP, N))
     above = [growth_of(kernel) > 1 for kernel in kernels]
-    drift = [[h * v if a and (not printed or past == "caputo") else mpf(0) for v in v0]
+    drift = [[h * v if a and (not printed or past == "caputo") else ZERO for v in v0]
              for a, past in zip(above, pasts)]
-    all_impulses = [None if printed else start_impulses(past, kernel, h, N) for past, kernel in zip(pasts, kernels)]
+    all_impulses = []
+    for past, kernel, by in zip(pasts, kernels, units):
+        flat = lambda of, past=past: [v for both in start_impulses(past, of, STEP, N) or () for v in both]
+        all_impulses.append([] if printed else with_slopes(flat, kernel, by))
     damped_amplitudes = [product(C, v0 if a else x0) for C, a in zip(matrices, above)]
-    rest = (1 - kappa) * h
-    A = [[M[i][j] / h + kappa * rest * K[i][j] + sum(t * h * v[0] * C[i][j] for t, v, C in zip(theta, w, matrices))
-          for j in each] for i in each]
-    x, p, J = x0, p0, mpf(0)
-    z, H = [[[mpf(0)] * D] for _ in kernels], [[mpf(0)] * D for _ in kernels]
-    force = lambda k: [mpmath.cos(5 * k * STEP / 4) * (i + 1) / 5 for i in each]
+    ahead, behind = h * kappa, h * (ONE - kappa)
+    A = [[M[i][j] / h + kappa * behind * K[i][j] for j in each] for i in each]
+    for t, v, C in zip(theta, w, matrices):
+        A = [[A[i][j] + t * h * v[0] * C[i][j] for j in each] for i in each]
+    x, p, J = x0, p0, ZERO
+    z, H = [[[ZERO] for _ in each] for _ in kernels], [[ZERO] * D for _ in kernels]
     for k in range(N):
         known = []
         for j, C in enumerate(matrices):
-            moved = [x[i] - x0[i] - (k + 1) * drift[j][i] for i in each]
-            known.append([w[j][0] * moved[i] + sum(w[j][n] * z[j][k + 1 - n][i] for n in range(1, k + 2))
-                          for i in each])
-            before, ahead = product(C, H[j]), product(C, known[j])
-            for i in each:
-                if not printed:
-                    p[i] = p[i] - (mpf(1) / 2 - theta[j]) * h * before[i]
-                p[i] = p[i] - (all_impulses[j][k][0] * damped_amplitudes[j][i] if all_impulses[j] else 0)
-        right = list(p)
+            moved = [x[i] - x0[i] - dual(mpf(k + 1)) * drift[j][i] for i in each]
+            known.append([w[j][0] * moved[i] + dot(w[j][1:k + 2], z[j][i][::-1]) for i in each])
+            before = product(C, H[j])
+            if not printed:
+                p = [a - ends[j][0] * b for a, b in zip(p, before)]
+            if all_impulses[j]:
+                p = [a - all_impulses[j][2 * k] * b for a, b in zip(p, damped_amplitudes[j])]
+        right = p
         for j, C in enumerate(matrices):
-            ahead = product(C, known[j])
-            right = [right[i] - theta[j] * h * ahead[i] for i in each]
+            right = [a - theta[j] * h * b for a, b in zip(right, product(C, known[j]))]
         if not printed:
             F = force(k)
-            p, right = ([v + h / 2 * f for v, f in zip(u, F)] for u in (p, right))
-        at = product(K, x)
-        d = solve(A, [right[i] - kappa * h * at[i] for i in each])
-        grad = product(K, [v + (1 - kappa) * e for v, e in zip(x, d)])
-        x = [v + e for v, e in zip(x, d)]
-        F = force(k + 1)
-        p = [p[i] + h * ((1 if printed else mpf(1) / 2) * F[i] - grad[i]) for i in each]
+            p, right = ([a + half * f for a, f in zip(u, F)] for u in (p, right))
+        d = solve(A, [a - ahead * b for a, b in zip(right, product(K, x))])
+        grad = product(K, [a + (ONE - kappa) * b for a, b in zip(x, d)])
+        x, F = [a + b for a, b in zip(x, d)], force(k + 1)
+        p = [a + (h if printed else half) * f - h * g for a, f, g in zip(p, F, grad)]
         for j, C in enumerate(matrices):
-            H[j] = [known[j][i] + w[j][0] * d[i] for i in each]
-            z[j].append([x[i] - x0[i] - (k + 1) * drift[j][i] for i in each])
-            now = product(C, H[j])
-            p = [p[i] - (1 if printed else mpf(1) / 2 + theta[j]) * h * now[i]
-                 - (all_impulses[j][k][1] * damped_amplitudes[j][i] if all_impulses[j] else 0) for i in each]
-        J += h / 2 * sum((v - mpmath.sin((k + 1) * STEP)) ** 2 for v in x)
-    return J + sum(v * v for v in p) / 2
+            H[j] = [a + w[j][0] * b for a, b in zip(known[j], d)]
+            for i in each:
+                z[j][i].append(x[i] - x0[i] - dual(mpf(k + 1)) * drift[j][i])
+            p = [a - (h if printed else ends[j][1]) * b for a, b in zip(p, product(C, H[j]))]
+            if all_impulses[j]:
+                p = [a - all_impulses[j][2 * k + 1] * b for a, b in zip(p, damped_amplitudes[j])]
+        off = [v - dual(mpmath.sin((k + 1) * STEP)) for v in x]
+        J += half * dot(off, off)
+    return J + HALF * dot(p, p)
 
 
 def uniform(low, high):
@@ -123,17 +159,19 @@ def problem(method, kinds):
     rows = [[uniform(-0.5, 0.5) for _ in range(D)] for _ in range(2)]
     x0, p0 = ([uniform(-1, 1) for _ in range(D)] for _ in range(2))
     kappa = 0.5 if method == "stable" else uniform(0.2, 0.8)
-    exact = lambda A: [[mpf(v) for v in row] for row in A]
-    matrices = [exact([[u * v for v in row] for u in row]) for row in exact(rows)] + [exact(full)]
+    exact = lambda A: [[dual(mpf(v)) for v in row] for row in A]
+    matrices = [exact([[mpf(u) * v for v in row] for u in row]) for row in rows] + [exact(full)]
     numbers = [tuple((kind, *map(mpf, rest)) for kind, *rest in kernel) for kernel in kernels]
-    of = lambda x, p, terms: run(method, mpf(kappa), exact(M), exact(K), x, list(p), matrices, terms, pasts)
-    start, push = ([mpf(v) for v in u] for u in (x0, p0))
-    tilt = lambda u, i: [v + mpc(0, TINY) if j == i else v for j, v in enumerate(u)]
-    want = [mpf(0)] * 24
-    for j, l, i in numbers_of(numbers):
-        want[8 * j + 4 * l + i] = slope(of(start, push, tilted(numbers, j, l, i)))
-    want += [slope(of(tilt(start, i), push, numbers)) for i in range(D)]
-    want += [slope(of(start, tilt(push, i), numbers)) for i in range(D)]
+    places = numbers_of(numbers)
+    units = [{(l, i): unit for unit, (of, l, i) in zip(UNITS, places) if of == j} for j in range(DAMPERS)]
+    own = UNITS[len(places):]
+    start, push = ([dual(mpf(v)) + Dual(0, unit << BITS) for v, unit in zip(u, of)]
+                   for u, of in ((x0, own[:D]), (p0, own[D:2 * D])))
+    J = run(method, dual(mpf(kappa)), exact(M), exact(K), start, push, matrices, numbers, pasts, units)
+    found = apart(J.d, len(places) + 2 * D)
+    want = [mpf(0)] * 24 + found[len(places):]
+    for (j, l, i), derivative in zip(places, found):
+        want[8 * j + 4 * l + i] = derivative
     flat = lambda A: "{ " + ", ".join(hexd(Rational(v)) for row in A for v in row) + " }"
     terms = "{ " + ", ".join("{ " + ", ".join(
         f"{{ FVI_KERNEL_{kind}, {', '.join(hexd(Rational(v)) for v in rest)} }}" for kind, *rest in kernel) + " }"

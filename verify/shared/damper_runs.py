@@ -180,21 +180,3 @@ def numbers_of(terms):
 
 def slope(J):
     return mpmath.im(J) / TINY
-
-
-def product(A, x):
-    return [mpmath.fdot(row, x) for row in A]
-
-
-def solve(A, right):
-    """Return x of A x = right. The matrix of a step needs no pivots."""
-    d = len(right)
-    rows = [[*row, r] for row, r in zip(A, right)]
-    for k in range(d):
-        for i in range(k + 1, d):
-            f = rows[i][k] / rows[k][k]
-            rows[i] = [a - f * b for a, b in zip(rows[i], rows[k])]
-    x = [mpf(0)] * d
-    for i in reversed(range(d)):
-        x[i] = (rows[i][d] - mpmath.fdot(rows[i][i + 1:d], x[i + 1:])) / rows[i][i]
-    return x
