@@ -97,8 +97,11 @@ PetscErrorCode petsc_set_damper(share *s, PetscInt j, Mat C)
     PetscCall(find_damped_matrix(s, C, damper));
     PetscCall(PetscMalloc1(damper->count + 1, &damper->product));
     PetscCall(MatCreateVecs(damper->damped_rows, &damper->z, &damper->y));
-    s->damping[j] = (fvi_damping_matrix){ (size_t)damper->count, select_damped_rows,
-                                          apply_damper_of_rows, damper, find_diagonal };
+    s->damping[j] = (fvi_damping_matrix){ .history_size = (size_t)damper->count,
+                                          .select_history = select_damped_rows,
+                                          .apply_damping = apply_damper_of_rows,
+                                          .params = damper,
+                                          .diagonal = find_diagonal };
     PetscFunctionReturn(0);
 }
 
