@@ -85,7 +85,9 @@ extern const fvi_method fvi_lobatto_m5, fvi_lobatto_m6, fvi_lobatto_m7, fvi_loba
  *
  * Memory and tolerance as form M. A law has modes, and so takes FVI_HISTORY_MODES, unless it has a fraction with a pole
  * on its cut or near it: a FVI_KERNEL_ZENER with 2 alpha > 0.9 other than 1, or a FVI_KERNEL_MAXWELL2 with 2
- * (alpha - end) > 0.9 or 2 alpha > 1 > 2 end. FVI_HISTORY_AUTO sums the weights of such a law directly.
+ * (alpha - end) > 0.9 or 2 alpha > 1 > 2 end. FVI_HISTORY_AUTO sums the weights of such a law directly. A DAVIDSON, a
+ * HAVRILIAK or a SYMBOL needs modes for its weights. So the start refuses it, with every kind of memory, if its values
+ * on the cut do not give the weights; for example a DAVIDSON with 2 alpha = 0.96.
  *
  * Order at a fixed t > 0 at which F does not jump. If U is quadratic and F is a polynomial of degree < s between its
  * jumps at nodes, both orders are 2s - 2, whatever alpha. Otherwise they are
@@ -105,8 +107,8 @@ extern const fvi_method fvi_lobatto_m5, fvi_lobatto_m6, fvi_lobatto_m7, fvi_loba
  * factorisation of a matrix with s d rows and s times the diagonals of a Hessian. History as form M.
  *
  * Errors as fvi_stepper_start and fvi_stepper_step. FVI_ESING if the matrix of a step is singular; FVI_EUNSUP for
- * FVI_HISTORY_MODES with a law that has no modes, and for matrices without complex factors or without a product with
- * M (fvi_matrices.inertia). */
+ * FVI_HISTORY_MODES with a law that has no modes, for a law whose values on the cut do not give its weights, and for
+ * matrices without complex factors or without a product with M (fvi_matrices.inertia). */
 extern const fvi_method fvi_lobatto_d2, fvi_lobatto_d3, fvi_lobatto_d4,
     fvi_lobatto_d5, fvi_lobatto_d6, fvi_lobatto_d7, fvi_lobatto_d8;
 

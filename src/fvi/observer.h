@@ -41,7 +41,7 @@
  * First rows by shorter steps. The comparison (13.20) fails in three cases: a damper has an order above 1; the past
  * RIEMANN_LIOUVILLE jumps; a coordinate has no inertia. There the observer runs the first rows once more by
  * fvi_variable_step, with shorter steps, and takes from them the forces, accelerations and multipliers, and the
- * velocities if a coordinate has no inertia. These numbers are right to 1e-8 (seen) [H 13]. The observer does not do so
+ * velocities if a coordinate has no inertia. These numbers are right to 1e-7 (seen) [H 13]. The observer does not do so
  * for more than 12 coordinates whose potential has no narrow band, for more than 200 unknowns of matrices, or if the
  * shorter steps fail or if more than 1000 are necessary. Then the first rows have the low order 2 minus the order of
  * the damping.

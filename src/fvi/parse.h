@@ -97,8 +97,9 @@ typedef struct {
 /* fvi_parse_damping -- Parse one or several terms of a law, and append them to *damping.
  *
  *   text        terms with " + " between them: viscous:R, spring:K, power:R,A, zener:R,A,T, maxwell:R,T,
- *               maxwell2:R1,A,R2,B, davidson:R,A,T, distributed:R,A,B; or symbol:EXPRESSION in s, which must be the
- *               only term. A and B are alpha: the order is 2 alpha
+ *               maxwell2:R1,A,R2,B, davidson:R,A,T, distributed:R,A,B, havriliak:R,A,T,B; or symbol:EXPRESSION in s,
+ *               which must be the only term. A and B are alpha: the order is 2 alpha. Only the B of havriliak is
+ *               another number, its exponent (damping_laws.h)
  *   parameters  names and values that the expression may use; kept, so they must outlive the law. NULL: no parameters
  *   damping     in and out
  *

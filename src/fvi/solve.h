@@ -135,9 +135,10 @@ typedef struct {
  *   run        as for fvi_stepper_start; the end of the motion is h times steps
  *   tolerance  of x, > 0
  *
- * It is fvi_variable_step for runs with events, and for every problem that fvi_variable_step takes. For other problems
- * with matrices it is fvi_cq2_midpoint. For other problems with a law it is fvi_lobatto_m4 for a tolerance below 1e-5
- * of max |x0|, and else fvi_cq_bdf2.
+ * It is fvi_variable_step, except for some matrices and laws without events. For matrices it is fvi_cq2_midpoint if
+ * fvi_variable_step_takes_structure (variable_steps.h) returns 0. For a law that fvi_variable_step refuses it is
+ * fvi_lobatto_m4 for a tolerance below 1e-5 of max |x0| (of 1 if x0 = 0), if that method takes the run, and else
+ * fvi_cq_bdf2.
  *
  * For example, take a Duffing spring for 20 units of time. With zener:1,0.6,0.5, which fvi_variable_step does not take,
  * fvi_cq_bdf2 needs 7 ms and fvi_lobatto_m4 140 ms for the tolerance 1e-3, and 293 ms and 152 ms for 1e-6. With
@@ -163,7 +164,7 @@ const fvi_method *fvi_method_for_error(const fvi_run *run, double tolerance);
  * So the time of an event is right to tolerance / speed. A lift-off is an exception, because an error of its time moves
  * the body by the square of this error only. A body comes to rest after an impact from which it would rise no higher
  * than the tolerance. For example, let a ball fall with g = 1 from the height 1 onto z = x with e = 1/2. Hop n is 4^-n
- * high, so with the tolerance 1e-6 the ball rests after the tenth hop, because 4^-10 = 0.95e-6. One difference between
+ * high, so with the tolerance 1e-6 the ball rests at the tenth impact, because 4^-10 = 0.95e-6. One difference between
  * the two runs is allowed: an event very near the end, within tolerance / speed and within a thousandth of T, may be
  * missing in one of them. If the runs differ in other events for all steps, the function returns FVI_ETOL. This happens
  * if z only touches 0, or if the motion is chaotic.
@@ -181,8 +182,8 @@ const fvi_method *fvi_method_for_error(const fvi_run *run, double tolerance);
  * Returns FVI_SUCCESS; FVI_EFAULT, FVI_EINVAL, FVI_EDOM or FVI_EUNSUP for an argument that is wrong, or that the method
  * does not take, with its field ("x0", "T", "t", ...), number and index in *error; FVI_ETOL if the tolerance cannot be
  * reached, or not in most_steps; FVI_ERUNAWAY after most_steps without a tolerance; FVI_ENOMEM; FVI_EMAXITER, FVI_ESING
- * or FVI_EOVRFLW of a step, whose number is error->index; or what a callback returned. After a failed step the rows
- * before it are valid. After any other error the outputs are untouched. */
+ * or FVI_EOVRFLW of a step, whose number is error->index; or what a callback returned. After an error in a
+ * step or in a row the rows before it are valid. After any other error the outputs are untouched. */
 int fvi_solve(const fvi_problem *problem, const fvi_solve_options *options,
               const fvi_accuracy *accuracy, const fvi_outputs *outputs,
               fvi_report *report, fvi_error *error);

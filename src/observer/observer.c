@@ -52,7 +52,7 @@ static void record_increments(fvi_observer *o, const double *change)
 
 /* Compute the increments of all tracked sums in the last step of a mechanism, to o->change: forces of dampers, then
  * velocities, then multipliers of constraints. The stepper keeps these sums itself, so an increment is its sum minus
- * ours. */
+ * the observer's sum. */
 static int compute_increments_of_mechanism(fvi_observer *o, const fvi_stepper *s)
 {
     int status = o->ramp ? fvi_observer_step_ramps(o, o->change) : FVI_SUCCESS;

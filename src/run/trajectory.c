@@ -19,7 +19,7 @@
 
 enum { NUMBERS = 7 }; /* a stepper has so many numbers for each coordinate */
 
-/* During a step, a callback or an visitor sees a stepper that is half changed. So these calls are refused there. */
+/* During a step, a callback or an archive sees a stepper that is half changed. So these calls are refused there. */
 #define REFUSE_CALLBACKS_OF(s)                                                 \
     if ((s)->is_busy)                                                          \
     FVI_FAIL("called by a callback of this stepper", FVI_EINVAL)

@@ -49,7 +49,7 @@ static int store_hessian(size_t d, const double *x, void *params, double *H)
 }
 
 /* Find the longest stable step of `trial`, whose h is overwritten. The error of log2 h is at most `digits` times
- * log2 h|, or `digits` if |log2 h| < 1. */
+ * |log2 h|, or `digits` if |log2 h| < 1. */
 static int bisect(const fvi_method *method, fvi_run *trial, double digits,
                   double *h)
 {
