@@ -378,6 +378,40 @@ const fvi_problem *fvi_problem_typed(const fvi_typed_problem *problem);
 /* fvi_typed_problem_free -- Free the problem. NULL is allowed. */
 void fvi_typed_problem_free(fvi_typed_problem *problem);
 
+/* ---- the start ---- */
+
+/* fvi_check_start_force -- Check that a typed force is not infinite at t = 0, for a method that evaluates it just after
+ * t = 0. Its value there would be finite, but as large as the floating-point numbers allow, and so would be the motion.
+ * Algorithm 3 and the classical methods of order 1 take t = 0 itself, or no force in the first row, so they take every
+ * force. [(13.12)]
+ *
+ *   method       the method of the run
+ *   field, text  the name and the text of the force, for the error
+ *   force        the force, or the acceleration of the ground (fvi_ground_typed); NULL: nothing is checked
+ *
+ *     status = fvi_check_start_force(&fvi_cq_bdf2, "force", "1/sqrt(t)", force, &error); // FVI_EINVAL
+ *
+ * Cost: one value of the force. Returns FVI_SUCCESS; FVI_EINVAL if the force is infinite at t = 0. */
+int fvi_check_start_force(const fvi_method *method, const char *field, const char *text,
+                          const fvi_typed_force *force, fvi_error *error);
+
+/* fvi_check_start_velocity -- Check that each velocity that was given has an effect. The velocity of a coordinate
+ * without inertia follows from the forces, so it must be given as 0. Where constraints rule over velocities, and where
+ * L_vv v = p cannot be solved, the start of a run checks more, and this function nothing.
+ *
+ *   system       of d coordinates, without matrices
+ *   x0, v0       the start, d numbers each
+ *   p0           the momenta of v0, from fvi_momentum_of_velocity
+ *
+ *     status = fvi_momentum_of_velocity(&system, 0, x0, v0, p0);
+ *     if (!status)
+ *         status = fvi_check_start_velocity(&system, x0, v0, p0, &error);
+ *
+ * Cost: fvi_velocity_of_momentum once. fvi_parse_problem calls it.
+ * Returns FVI_SUCCESS; FVI_EINVAL with the field "v0"; FVI_ENOMEM. */
+int fvi_check_start_velocity(const fvi_system *system, const double *x0, const double *v0, const double *p0,
+                             fvi_error *error);
+
 /* fvi_parse_method -- Find the method with this name. The names are those of the program's option `run --method`. */
 int fvi_parse_method(const char *text, const fvi_method **method,
                      fvi_error *error);

@@ -147,26 +147,10 @@ int fvi_check_impulses(const fvi_options *o, fvi_error *c)
     return 0;
 }
 
-/* Return the name of the option whose typed force is infinite at t = 0, or NULL. sin(t)/t is not a number there, but has
- * a limit, which the methods find within the first step. */
-static const char *infinite_at_start(const fvi_options *o)
-{
-    const fvi_typed_force *forces[] = { o->force, o->ground ? fvi_ground_typed(o->ground) : NULL };
-    for (int i = 0; i < 2; i++) {
-        double F = 0;
-        const fvi_force force = forces[i] ? fvi_force_typed(forces[i]) : (fvi_force){ .value = NULL };
-        if (force.value && force.value(0, 1, force.params, &F) == 0 && isinf(F))
-            return i == 0 ? "force" : "ground";
-    }
-    return NULL;
-}
-
 int fvi_check_force_at_start(const fvi_options *o, fvi_error *c)
 {
-    if (!o->method || o->method->scheme == FVI_SCHEME_CLASSICAL || o->method->scheme == FVI_SCHEME_FVI)
-        return 0;
-    const char *name = infinite_at_start(o);
-    return name ? fvi_refuse(c, name, "'%s' is infinite at t = 0: %s takes its first step from its limit there",
-                             o->text[strcmp(name, "force") == 0 ? FORCE : GROUND], o->method->name)
-                : 0;
+    int status = o->method ? fvi_check_start_force(o->method, "force", o->text[FORCE], o->force, c) : 0;
+    if (o->method && o->ground && !status)
+        status = fvi_check_start_force(o->method, "ground", o->text[GROUND], fvi_ground_typed(o->ground), c);
+    return status;
 }

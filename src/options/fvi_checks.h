@@ -29,10 +29,7 @@ int fvi_check_solution(fvi_options *o, fvi_error *c);
  * [(17.17)] */
 int fvi_check_impulses(const fvi_options *o, fvi_error *c);
 
-/* fvi_check_force_at_start -- Check that --force and --ground are not infinite at t = 0, for the methods that evaluate
- * them just after t = 0. Their value there would be finite, but as large as the floating-point numbers allow, and so
- * would be the motion. Algorithm 3 and the methods of order 1 beside it take t = 0 itself, or no force in the first row.
- * [(13.12)] */
+/* fvi_check_force_at_start -- Check --force and --ground at t = 0, as fvi_check_start_force does. [(13.12)] */
 int fvi_check_force_at_start(const fvi_options *o, fvi_error *c);
 
 #endif

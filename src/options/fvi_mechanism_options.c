@@ -250,25 +250,6 @@ int fvi_check_events(const fvi_options *o, fvi_error *c)
                : 0;
 }
 
-/* Refuse a velocity of a coordinate without inertia: its velocity follows from the forces, so a given one would act on
- * nothing. fvi_velocity_of_momentum leaves the guess 0 of such a coordinate as it is. Where that function fails, or
- * where constraints rule over velocities, the start of the run checks more. */
-static int check_inertia(const fvi_options *o, const fvi_system *system, const double *v, fvi_error *c)
-{
-    double *moves = calloc(o->d, sizeof *moves);
-    if (!moves)
-        return fvi_no_memory(c, NULL);
-    int status = 0;
-    if (!(system->mechanism && system->mechanism->constraints)
-        && fvi_velocity_of_momentum(system, 0, o->x0, o->p0, moves) == FVI_SUCCESS)
-        for (size_t i = 0; i < o->d && !status; i++)
-            if (v[i] != 0 && moves[i] == 0)
-                status = fvi_refuse(c, "v0", "v%zu is %g: this coordinate has no inertia, and its velocity follows from "
-                                    "the forces: give 0", i + 1, v[i]);
-    free(moves);
-    return status;
-}
-
 int fvi_problem_velocity(fvi_options *o, fvi_error *c)
 {
     if (!o->text[V0])
@@ -285,7 +266,7 @@ int fvi_problem_velocity(fvi_options *o, fvi_error *c)
         if (!isfinite(o->p0[i]))
             status = fvi_refuse(c, "v0", "'%s': the momentum at x0 is not finite", o->text[V0]);
     if (!status)
-        status = check_inertia(o, &system, v, c);
+        status = fvi_check_start_velocity(&system, o->x0, v, o->p0, c);
     free(v);
     return status;
 }

@@ -272,8 +272,9 @@ static int parse_mechanism(fvi_typed_problem *p, fvi_error *error)
         problem->system.mechanism = fvi_mechanism_typed(p->mechanism);
         problem->law = NULL;
     }
-    return p->text[V0] ? fvi_momentum_of_velocity(&problem->system, 0, p->x0, p->v0, p->p0)
-                       : status;
+    if (p->text[V0])
+        status = fvi_momentum_of_velocity(&problem->system, 0, p->x0, p->v0, p->p0);
+    return p->text[V0] && !status ? fvi_check_start_velocity(&problem->system, p->x0, p->v0, p->p0, error) : status;
 }
 
 /* Parse masses, rho, x0, p0 and v0: d numbers each. */

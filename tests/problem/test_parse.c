@@ -166,9 +166,30 @@ START_TEST(a_text_becomes_a_problem)
     expect(FVI_EINVAL, "damping", "not together with alpha");
     fvi_parse_problem("alpha=1.3", &typed, &error);
     expect(FVI_EDOM, "alpha", "'1.3' is outside [0, 1]");
+    fvi_parse_problem("L=v1^2/2 - x1^2 - x2^2; x0=1,1; v0=1,5", &typed, &error);
+    expect(FVI_EINVAL, "v0",
+           "v2 is 5: this coordinate has no inertia, and its velocity follows from the forces: give 0");
     const fvi_method *method;
     ck_assert_int_eq(fvi_parse_method("fvi-lobatto3", &method, NULL), 0);
     ck_assert_str_eq(method->name, "fvi-lobatto3");
+}
+END_TEST
+
+/* 1/t is infinite at t = 0, and sin(t)/t is not a number there; Algorithm 3 takes both. */
+START_TEST(a_force_is_checked_at_the_start_of_a_run)
+{
+    static const char *const texts[] = { "1/t", "sin(t)/t", "cos(t)" };
+    for (size_t i = 0; i < LEN(texts); i++) {
+        fvi_user_parameters none = { 0 };
+        fvi_typed_force *force;
+        ck_assert_int_eq(fvi_parse_force(texts[i], 1, &none, 1, &force, &error), 0);
+        ck_assert_int_eq(fvi_check_start_force(&fvi_cq_bdf2, "F", texts[i], force, &error),
+                         i == 0 ? FVI_EINVAL : FVI_SUCCESS);
+        if (i == 0)
+            expect(FVI_EINVAL, "F", "'1/t' is infinite at t = 0: fvi-bdf2 takes its first step from its limit there");
+        ck_assert_int_eq(fvi_check_start_force(&fvi_fractional, "F", texts[i], force, &error), FVI_SUCCESS);
+        fvi_typed_force_free(force);
+    }
 }
 END_TEST
 
@@ -298,6 +319,6 @@ int main(void)
              parameters_are_names_with_one_value_that_are_used,
              a_text_becomes_a_force, a_table_is_linear_between_its_rows,
              a_ground_is_also_an_acceleration_that_is_no_text,
-             a_text_becomes_a_problem, a_text_becomes_a_mechanism);
+             a_text_becomes_a_problem, a_force_is_checked_at_the_start_of_a_run, a_text_becomes_a_mechanism);
     return run_suite(suite);
 }

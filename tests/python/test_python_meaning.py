@@ -121,3 +121,19 @@ def test_what_was_found_is_printed_to_be_read():
     lines = str(material).splitlines()
     assert [line.split(" = ")[0].strip() for line in lines[:3]] == list(material.estimate)
     assert lines[3] == f"law {material.law!r}" and lines[4].endswith(f"{material.agree} starts agree")
+
+
+def test_what_would_be_ignored_or_huge_at_the_start_is_refused():
+    """As the program does: a velocity of a coordinate without mass, and a force or a ground that is infinite at t = 0."""
+    massless = fvi.Problem("x1^2/2 + (x1-x2)^2/2", mass=[1, 0], rho=0.1, alpha=0.3, x0=[1, 1], v0=[0, 5], time=2)
+    with pytest.raises(ValueError, match="v0: v2 is 5: this coordinate has no inertia"):
+        fvi.solve(massless, h=0.1, method="fvi-stable")
+    assert np.all(np.isfinite(fvi.solve(massless.replace(v0=[1, 0]), h=0.1, method="fvi-stable").x))
+    for field, text in (("force", "1/sqrt(t)"), ("ground", "log(t)")):
+        problem = fvi.Problem(alpha=0.3, rho=0.2, time=2, **{field: text})
+        for how in ({"h": 0.1, "method": "fvi-lobatto4"}, {"error": 1e-6}):
+            with pytest.raises(ValueError, match=rf"{field}: .* is infinite at t = 0: fvi-"):
+                fvi.solve(problem, **how)
+    with pytest.raises(ValueError, match="force: .* is infinite at t = 0"):
+        fvi.run(force="1/t", method="fvi-bdf2")
+    assert np.all(np.isfinite(fvi.run(force="sin(t)/t", method="fvi-lobatto4").x))

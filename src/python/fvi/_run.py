@@ -93,6 +93,7 @@ def prepare(potential: Union[str, Potential] = "harmonic:1", last: Optional[floa
     if found == ffi.NULL:
         names = [m.name for m in methods()]
         raise ValueError(f"method: '{method}' is none of " + ", ".join(names) + nearest(method, names))
+    problem.check_force(found)
     if not found.takes_kappa and kappa != 0.5:
         raise ValueError(f"kappa: {method} has none")
     for name, value in (("step_error", step_error), ("longest", longest), ("most_steps", most_steps)):

@@ -13,7 +13,7 @@ from ._arguments import Array, Numbers, choice, described, function, nearest, nu
 from ._checkpoint import Checkpoint, rows_by_stepper
 from ._events import Event, Events, Happened, listed
 from ._fvi import ffi, lib
-from ._library import ask, ask_for_warning, error_of, failure, keep, succeed, text_of, warn, warn_of_start
+from ._library import ask, ask_for_warning, error_of, failure, keep, succeed, text_of, understand, warn, warn_of_start
 from ._mechanism import Mechanism, Structure, own_law
 from ._problem import Problem
 from ._run import MEMORIES, PASTS, length, methods, refused
@@ -69,6 +69,7 @@ class Motion:
         if q.v0 is not None:
             self.put_velocity(is_structure)
         self.method = lib.fvi_method_find(how.method.encode())
+        s.check_force(self.method)
         run = self.run = ffi.new("fvi_run *")
         run.system, run.x0, run.p0 = s.system, s.pointer(s.x0), s.pointer(s.p0)
         run.steps, run.h = how.steps, how.h if how.h is not None else q.time / how.steps
@@ -89,7 +90,8 @@ class Motion:
             s.p0 = s.imposed.velocities(s.p0)
         succeed(ask(lib.fvi_momentum_of_velocity, s.system, 0.0, s.pointer(s.x0), s.pointer(s.p0.copy()),
                     ffi.from_buffer("double[]", p0)))
-        s.p0 = p0
+        v0, s.p0 = s.p0, p0
+        understand(lib.fvi_check_start_velocity, s.system, s.pointer(s.x0), s.pointer(v0), s.pointer(p0))
 
     def solve(self, how: Numerics, time: float, t: Optional[Array], x: Array, p: Array, count: Any) -> tuple:
         """fvi_solve: x and p at the times t, or at each row. What it returned, with its report and its error."""

@@ -235,6 +235,7 @@ class System:
         self.values = np.frombuffer(ffi.buffer(self.parameters.value, 8 * max(1, len(self.let))))
         self.last = last
         self.typed_force: Any = None
+        self.texts = {"force": force, "ground": ground}
         self.typed_potential: Any = None
         self.typed_mechanism: Any = None
         self.constants: Optional[Array] = None  # of the potential, by names
@@ -344,6 +345,13 @@ class System:
             understand(lib.fvi_ground_alloc, acceleration, self.system, r, out)
         self.ground = ffi.gc(out[0], lib.fvi_ground_free)
         self.system.force = lib.fvi_ground_force(self.ground)
+
+    def check_force(self, method: Any) -> None:
+        """A text that is infinite at t = 0 is refused for a method that asks for it just after t = 0."""
+        ground = self.ground and lib.fvi_ground_typed(self.ground)
+        for field, typed in (("force", self.typed_force), ("ground", ground)):
+            if typed and isinstance(self.texts[field], str):
+                understand(lib.fvi_check_start_force, method, field.encode(), self.texts[field].encode(), typed)
 
     def force(self, given: Any) -> Any:
         F = ffi.new("fvi_force *")
