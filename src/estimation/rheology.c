@@ -93,12 +93,12 @@ static int check(const fvi_material_data *d, const fvi_material *answer, fvi_err
         return fvi_fail(error, FVI_EDOM, "load", d->load, "must be finite and not 0");
     size_t numbers = d->elements;
     for (size_t n = 0; n < d->elements; n++) {
-        char kinds[FVI_ELEMENT_SHAPE];
+        fvi_kernel_range ranges[FVI_ELEMENT_SHAPE];
         if ((unsigned)d->kind[n] >= fvi_kernel_word_count)
             return fvi_fail(error, FVI_EINVAL, "law", (double)d->kind[n], "no such element");
         if (d->kind[n] == FVI_ELEMENT_VISCOUS && d->test == FVI_MATERIAL_RELAXATION)
             return fvi_refuse(error, "law", "'viscous' relaxes at once: no datum of relaxation knows it");
-        numbers += fvi_element_shape(d->kind[n], kinds);
+        numbers += fvi_element_shape(d->kind[n], ranges);
     }
     if ((d->test == FVI_MATERIAL_MODULI ? 2 : 1) * d->n <= numbers)
         return fvi_fail(error, FVI_EINVAL, "data", (double)d->n,
@@ -163,11 +163,13 @@ static void sort_elements(const fvi_rheology *m, double *z)
     for (size_t pass = 0; pass < E; pass++)
         for (size_t n = 0; n + 1 < E; n++)
             for (size_t l = n + 1; l < E; l++) {
-                char kinds[FVI_ELEMENT_SHAPE];
-                const size_t count = fvi_element_shape(m->data->kind[n], kinds);
+                fvi_kernel_range ranges[FVI_ELEMENT_SHAPE];
+                const size_t count = fvi_element_shape(m->data->kind[n], ranges);
                 double *a = z + E + m->at[n], *b = z + E + m->at[l];
-                const char *time = memchr(kinds, 't', count);
-                const size_t by = time ? (size_t)(time - kinds) : 0;
+                size_t by = 0;
+                while (by < count && ranges[by] != FVI_RANGE_SIZE)
+                    by++;
+                by = by < count ? by : 0;
                 if (m->data->kind[l] != m->data->kind[n] || count == 0 || a[by] <= b[by])
                     continue;
                 double keep = z[n];

@@ -10,14 +10,14 @@
 #include <string.h>
 
 #define DEPENDENT 1e-6   /* least singular value of the Jacobian with columns of length 1 */
-/* An order or the logarithm of a time that is nearer to its bound is said to be at the bound. */
+/* An order, an exponent or the logarithm of a time that is nearer to its bound is said to be at the bound. */
 #define AT_A_BOUND 1e-3
 #define FARTHEST 40      /* longest way of the logarithm of a number */
 enum { OUTWARD = 40, INWARD = 40 };
 
 /* ---- numbers by their names ---- */
 
-/* Number i of element n of the law, as a function of z: the logarithm of a size, or an order. */
+/* Number i of element n of the law, as a function of z: the logarithm of a size, or an order or an exponent as it is. */
 typedef struct {
     const fvi_rheology *model;
     size_t n, i;
@@ -28,9 +28,9 @@ static double number_of(const void *params, const double *z, double *slope)
     const number *v = params;
     const fvi_rheology *m = v->model;
     const size_t E = m->elements;
-    char kinds[FVI_ELEMENT_SHAPE];
+    fvi_kernel_range ranges[FVI_ELEMENT_SHAPE];
     const fvi_element kind = m->data->kind[v->n];
-    const size_t count = fvi_element_shape(kind, kinds);
+    const size_t count = fvi_element_shape(kind, ranges);
     double value[FVI_ELEMENT_NUMBERS], by[FVI_ELEMENT_NUMBERS][1 + FVI_ELEMENT_SHAPE];
     fvi_element_public(kind, z[v->n], z + E + m->at[v->n], value, by);
     if (slope) {
@@ -158,8 +158,8 @@ static double find_edge(profile *p, const double *z, double step)
     return inside;
 }
 
-/* Find the interval of number v. Data that the law repeats to the last digit leave no noise, and then the interval is the
- * estimate alone. sd is the standard deviation of ln v or of an order. */
+/* Find the interval of number v. Data that the law repeats to the last digit leave no noise, and then the interval is
+ * the estimate alone. sd is the standard deviation of ln v, or of v if it is an order or an exponent. */
 static void interval(fvi_rheology_work *o, const number *v, const double *z, double least,
                      double sd, fvi_material *a, size_t j)
 {
@@ -313,7 +313,7 @@ int fvi_material_flag_text(const fvi_material_data *data, const fvi_material *ma
         }
         break;
     case FVI_MATERIAL_BOUND:
-        snprintf(text, size, "an order or a time is at the end of what is asked for");
+        snprintf(text, size, "an order, an exponent or a time is at the end of the range that is searched");
         break;
     default:
         snprintf(text, size, "the data set no end to an interval");

@@ -52,8 +52,8 @@ static void fill_data(fvi_rheology *o)
         fill_parabolas(o);
 }
 
-/* Set the box of the starts: orders from 0.02 to 0.48, exponents from 0.1 to 0.98, and times from a tenth of the data's shortest to ten times their
- * longest. Set the wider bounds of the search. */
+/* Set the box of the starts: orders from 0.02 to 0.48, exponents from 0.1 to 0.98, and times from a tenth of the data's
+ * shortest to ten times their longest. Set the wider bounds of the search. */
 static void fill_box(fvi_rheology *o)
 {
     const fvi_material_data *d = o->data;
@@ -66,16 +66,16 @@ static void fill_box(fvi_rheology *o)
     low -= log(10);
     high += log(10);
     for (size_t n = 0; n < o->elements; n++) {
-        char kinds[FVI_ELEMENT_SHAPE];
-        const size_t count = fvi_element_shape(d->kind[n], kinds);
+        fvi_kernel_range ranges[FVI_ELEMENT_SHAPE];
+        const size_t count = fvi_element_shape(d->kind[n], ranges);
         o->at[n] = o->shapes;
         for (size_t k = 0; k < count; k++, o->shapes++) {
-            const int is_order = kinds[k] == 'a', is_size = kinds[k] == 't';
+            const int is_order = ranges[k] == FVI_RANGE_ORDER, is_size = ranges[k] == FVI_RANGE_SIZE;
             const size_t j = o->shapes;
             o->begin[j] = is_order ? 0.02 : is_size ? low : 0.1;
             o->end[j] = is_order ? 0.48 : is_size ? high : 0.98;
             o->low[j] = is_size ? low - 9 : 1e-4;
-            o->high[j] = is_order ? 0.49999 : is_size ? high + 9 : 1;
+            o->high[j] = is_order ? 0.49999 : is_size ? high + 9 : fvi_element_most(d->kind[n], k + 1);
             o->scale[j] = is_size ? 1 : 0.1;
         }
     }

@@ -1,7 +1,7 @@
 /* src/estimation/rheology_model.h -- Compute a law, and what a test measures of it, from its numbers. [H 24]
  *
  * This header is internal; nothing is checked. Each element is an amplitude c_n times a shape phi_n(s; u). The numbers
- * u are half orders and logarithms of characteristic times. z is (ln c, u). */
+ * u are half orders, exponents and logarithms of characteristic times. z is (ln c, u). */
 #ifndef FVI_RHEOLOGY_MODEL_H
 #define FVI_RHEOLOGY_MODEL_H
 
@@ -20,8 +20,9 @@ enum {
 /* Return the element of word i of a law (kernel_classes.h), and the word of element i. */
 fvi_element fvi_element_of_word(size_t i);
 
-/* Return the numbers of the kind of kernel that an element is, of which a spring and a dashpot have only the first.
- * fvi_element_has_time -- Return nonzero if its time is a time, and no time to the power 2 alpha. */
+/* fvi_element_numbers -- Return the numbers of an element's kind of kernel. A spring and a dashpot are a POWER, but have
+ * only its first number.
+ * fvi_element_has_time -- Return `has_time` of this kind (kernel_classes.h). */
 const fvi_kernel_number *fvi_element_numbers(fvi_element kind);
 int fvi_element_has_time(fvi_element kind);
 
@@ -29,15 +30,15 @@ int fvi_element_has_time(fvi_element kind);
  * first one has the higher order. */
 fvi_kernel_term fvi_element_term(fvi_element kind, const double *number);
 
-/* Return how many numbers u an element has, and their kinds: 'a' for an order, 't' for the logarithm of a time, 'b' for
- * an exponent. */
-size_t fvi_element_shape(fvi_element kind, char kinds[FVI_ELEMENT_SHAPE]);
+/* Return how many numbers u an element has, and write their ranges. A u of the range SIZE is the logarithm of a time. */
+size_t fvi_element_shape(fvi_element kind, fvi_kernel_range ranges[FVI_ELEMENT_SHAPE]);
 
 /* Compute phi at s, and its derivatives by u. L = ln s. */
 void fvi_element_at(fvi_element kind, double complex s, double complex L, const double *u,
                     double complex *phi, double complex d[FVI_ELEMENT_SHAPE]);
 
-/* Compute the numbers that have names: the logarithm of a size, an order or an exponent as it is; and their derivatives by (ln c, u).
+/* fvi_element_public -- Compute the numbers that have names, and their derivatives by (ln c, u). A size is given by its
+ * logarithm, an order or an exponent as it is.
  * fvi_element_most -- Return the largest value of number i that is an order or an exponent; INFINITY if it is a
  * size. */
 void fvi_element_public(fvi_element kind, double ln_c, const double *u,

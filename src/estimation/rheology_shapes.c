@@ -5,16 +5,16 @@
 #include "rheology_model.h"
 
 #include <math.h>
-#include <string.h>
 
-size_t fvi_element_shape(fvi_element kind, char kinds[FVI_ELEMENT_SHAPE])
+size_t fvi_element_shape(fvi_element kind, fvi_kernel_range ranges[FVI_ELEMENT_SHAPE])
 {
-    static const char letter[] = { [FVI_RANGE_SIZE] = 't', [FVI_RANGE_ORDER] = 'a', [FVI_RANGE_EXPONENT] = 'b' };
     size_t count = 0;
     for (; fvi_element_number(kind, count + 1, NULL); count++)
-        kinds[count] = letter[fvi_element_numbers(kind)[count + 1].range];
-    if (kind == FVI_ELEMENT_MAXWELL2)
-        memcpy(kinds, "aat", 3);
+        ranges[count] = fvi_element_numbers(kind)[count + 1].range;
+    if (kind == FVI_ELEMENT_MAXWELL2) { /* u = b, e, ln t */
+        ranges[1] = FVI_RANGE_ORDER;
+        ranges[2] = FVI_RANGE_SIZE;
+    }
     return count;
 }
 

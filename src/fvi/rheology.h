@@ -104,7 +104,7 @@ typedef struct {
  *               the error of each modulus is proportional to this modulus, which is smaller than |C|. Then give units
  *   CHI2        with the given sigma, chi^2 has a probability below 1e-6
  *   ZERO        an element has the amplitude 0: the law does not need it
- *   BOUND       an order or a time is at the end of the range that is searched
+ *   BOUND       an order, an exponent or a time is at the end of the range that is searched
  *   OPEN        an interval has no end */
 enum {
     FVI_MATERIAL_STARTS = 1,
@@ -147,9 +147,10 @@ typedef struct {
  *   error     output or NULL
  *
  * Moduli and relaxation are linear in the amplitudes. So the method of Levenberg and Marquardt, with Kaufman's Jacobian
- * and within bounds, searches only the half orders alpha and the logarithms of the characteristic times. For creep it
- * searches all numbers. The starts are a Latin hypercube, the same in every call. The search ends when three starts
- * agree on the least sum of squares to a part in 10^6. All orders are 2 alpha <= 1, and all amplitudes are >= 0.
+ * and within bounds, searches only the half orders alpha, the exponents and the logarithms of the characteristic times.
+ * For creep it searches all numbers. The starts are a Latin hypercube, the same in every call. The search ends when
+ * three starts agree on the least sum of squares to a part in 10^6. All orders are 2 alpha <= 1, and all amplitudes are
+ * >= 0.
  *
  *     static const fvi_element law[] = { FVI_ELEMENT_SPRING, FVI_ELEMENT_ZENER };
  *     const fvi_material_data data = { FVI_MATERIAL_MODULI, n, w, storage, loss, NULL, NULL, 0, 1,

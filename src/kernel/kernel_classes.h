@@ -15,7 +15,7 @@
  *   name   its name in a fit and in Python, as "alpha"
  *   field  its field in fvi_kernel_term: 0 rho, 1 alpha, 2 time, 3 end
  *   range  SIZE: a positive number; ORDER: half of an order of s; EXPONENT: a number above 0 that is no order
- *   most   the largest ORDER or EXPONENT */
+ *   most   the largest ORDER or EXPONENT, a finite number; INFINITY for a SIZE */
 typedef enum { FVI_RANGE_SIZE, FVI_RANGE_ORDER, FVI_RANGE_EXPONENT } fvi_kernel_range;
 typedef struct {
     const char *name;
@@ -49,9 +49,11 @@ typedef enum {
  *             term is. A term that is no fraction is called general: its weights come from Cauchy's integral
  *   modes     computes the modes of a general term, as fvi_kernel_modes_of; NULL: from the symbol on the cut. Such
  *             modes are compared with the symbol before they are used
- *   by        returns the derivative of C(s) for rho = 1 by the number in a field; NULL: by differences of the symbol
+ *   by        returns the derivative of C(s) for rho = 1 by the number in a field; NULL: by differences of the symbol,
+ *             which must then have values a little outside the ranges of its numbers, too
  *   side      returns where a term with rho > 0 lies that is no fraction; NULL: not known
- *   has_time  nonzero: `time` is a time. 0: it is a time to the power 2 alpha */
+ *   has_time  nonzero: `time` is a time. 0: it is a time to the power 2 alpha. Not read for MAXWELL2, whose time has
+ *             another unit */
 typedef struct {
     fvi_kernel_number number[FVI_KERNEL_FIELDS];
     int (*check)(const fvi_kernel_term *t);
@@ -71,8 +73,10 @@ typedef struct {
 
 /* The kinds of kernel_fractions.c, and what other kinds can use of them.
  *
- * fvi_power_at -- Return s^{2 a} = e^{2 a ln s}. Its angle is 2 a times the angle of s, so the result is exactly real if
- * the angle is 0.
+ * fvi_power_at -- Return s^{2 a} = e^{2 a ln s} at s = modulus e^(i angle). Its angle is 2 a times the angle of s, so
+ * the result is exactly real if the angle is 0.
+ * fvi_check_order, fvi_check_order_and_time -- Check that alpha is in [0, 1], and that time is finite and not negative.
+ * fvi_power_fraction, fvi_zener_fraction -- Write the fraction of a POWER and of a ZENER, and return 1.
  * fvi_fraction_growth, fvi_fraction_side -- Return the growth and the side of a fraction of powers. */
 extern const fvi_kernel_class fvi_kernel_of_power, fvi_kernel_of_zener, fvi_kernel_of_maxwell, fvi_kernel_of_maxwell2;
 double complex fvi_power_at(double a, double modulus, double angle);

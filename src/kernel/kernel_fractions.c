@@ -1,4 +1,4 @@
-/* src/kernel/kernel_fractions.c -- The kinds that are fractions of powers: POWER, ZENER, MAXWELL and MAXWELL2.  [H 26] */
+/* src/kernel/kernel_fractions.c -- The kinds that are fractions of powers: POWER, ZENER, MAXWELL, MAXWELL2.   [H 26] */
 #include "kernel_classes.h"
 
 #include "system/fail.h"
@@ -39,8 +39,6 @@ static int check_pair(const fvi_kernel_term *t)
 
 /* ---- symbols ---- */
 
-/* Return s^{2 a} = e^{2 a ln s}. Its angle is 2 a times the angle of s, so the result is exactly
- * real if the angle is 0. */
 double complex fvi_power_at(double a, double modulus, double angle)
 {
     const double size = pow(modulus, 2 * a);

@@ -124,8 +124,8 @@ int fvi_davidson_modes(const fvi_kernel_term *t, double slowest, double delta, f
     return FVI_SUCCESS;
 }
 
-/* Compute the modes from the symbol on the cut: the weights are Im C(-rate + i0) / pi times the step in ln rate. The loop ends when a
- * slower mode no longer contributes. */
+/* Compute the modes from the symbol on the cut: the weights are Im C(-rate + i0) / pi times the step in ln rate. The
+ * loop ends when a slower mode no longer contributes. */
 static int symbol_modes(const fvi_kernel_term *t, double slowest,
                         double fastest, double delta, double strip,
                         fvi_kernel_modes *m)

@@ -87,8 +87,8 @@ static int are_all_modes(const fvi_kernel_ready *r, int *all)
     return status;
 }
 
-/* Find the widest of the four strips 1, 1/2, 1/4 and 1/8 whose modes represent the weights of every term on the cut. Set
- * r->strip = 0 if none does. */
+/* Find the widest of the four strips 1, 1/2, 1/4 and 1/8 whose modes represent the weights of every term on the cut.
+ * Set r->strip = 0 if none does. */
 static int find_strip(fvi_kernel_ready *r)
 {
     for (size_t i = 0; i < r->law->count; i++) {

@@ -27,7 +27,8 @@ int fvi_kernel_derivative_of(const fvi_kernel_term *term, fvi_slope_by by,
                              fvi_kernel_derivative *slope)
 {
     const int is_range = term->kind == FVI_KERNEL_DISTRIBUTED;
-    if (!fvi_kernel_has_derivative(term, by) || fvi_kernel_term_is_fraction(term) || fvi_kernel_term_has_order(term))
+    if (!fvi_kernel_has_derivative(term, by) || fvi_kernel_is_zener_or_maxwell(term)
+        || fvi_kernel_is_power_or_zener(term))
         return 0;
     *slope = (fvi_kernel_derivative){ .symbol = fvi_kernel_derivative_symbol(term, by), .of = term };
     slope->sign = is_range && by == FVI_SLOPE_BY_ORDER ? -1 : 1;

@@ -8,8 +8,9 @@
  *     dC/d end = 2 L C u / (1 + u).                                             (23.28)
  *
  * Cole and Davidson's kernel, s/(1 + time s) to the power 2 alpha, has 2 ln(s/(1 + time s)) C and -2 alpha
- * s/(1 + time s) C. The derivatives of the other kinds are products of symbols of the term, so one history after
- * another computes them; or they are powers. */
+ * s/(1 + time s) C. The derivatives of a POWER, a ZENER and a MAXWELL are products of symbols of the term, so one
+ * history after another computes them. Those of a range of orders are powers. Every other kind gives its derivatives as
+ * symbols (kernel_classes.h). */
 #ifndef FVI_KERNEL_DERIVATIVES_H
 #define FVI_KERNEL_DERIVATIVES_H
 
@@ -31,9 +32,9 @@ typedef struct {
     double sign, more; /* sign: the derivative is sign times the kernel; more: see fvi_kernel_derivative_begin_at */
 } fvi_kernel_derivative;
 
-/* fvi_kernel_derivative_of -- make a kernel of the derivative by a number, where it is no product of histories: for all
- * kinds but powers, fractions and Maxwell elements. Returns 1; 0 if the term has no such
- * number, or the derivative is a product. slope and term must stay where they are. */
+/* fvi_kernel_derivative_of -- make a kernel of the derivative by a number, for all kinds except POWER, ZENER and
+ * MAXWELL. Returns 1; 0 if the term is of one of these kinds or has no such number. slope and term must stay where they
+ * are. */
 int fvi_kernel_derivative_of(const fvi_kernel_term *term, fvi_slope_by by,
                              fvi_kernel_derivative *slope);
 

@@ -15,12 +15,12 @@ int fvi_wanted_kernel_numbers(const fvi_sensitivities *want)
     return want->terms || want->orders || want->ends || want->times;
 }
 
-int fvi_kernel_term_is_fraction(const fvi_kernel_term *t)
+int fvi_kernel_is_zener_or_maxwell(const fvi_kernel_term *t)
 {
     return t->kind == FVI_KERNEL_ZENER || t->kind == FVI_KERNEL_MAXWELL;
 }
 
-int fvi_kernel_term_has_order(const fvi_kernel_term *t)
+int fvi_kernel_is_power_or_zener(const fvi_kernel_term *t)
 {
     return t->kind == FVI_KERNEL_POWER || t->kind == FVI_KERNEL_ZENER;
 }
@@ -34,7 +34,7 @@ void fvi_kernel_unit_term(const fvi_kernel_term *of, fvi_kernel_function *unit,
         unit->term = *of;
     *rho = of->rho;
     unit->term.rho = 1;
-    if (of->kind == FVI_KERNEL_POWER || of->kind == FVI_KERNEL_DISTRIBUTED)
+    if (!fvi_kernel_number_of(of, 2))
         unit->term.time = 0;
 }
 
@@ -89,8 +89,8 @@ int fvi_node_term_start(const fvi_run *run, const fvi_sensitivities *want,
                           { &t->past, FVI_BDF2_TAPS * d }, { &t->product, t->whole });
     if (!t->block)
         FVI_FAIL("no memory for the adjoint run", FVI_ENOMEM);
-    const int by_order = want->orders && fvi_kernel_term_has_order(&t->unit.term),
-              is_squared = fvi_kernel_term_is_fraction(&t->unit.term)
+    const int by_order = want->orders && fvi_kernel_is_power_or_zener(&t->unit.term),
+              is_squared = fvi_kernel_is_zener_or_maxwell(&t->unit.term)
                            && (want->times || (by_order && t->unit.term.time > 0));
     t->by[0] = want->terms ? t->sum : NULL;
     t->factor[0] = 1;

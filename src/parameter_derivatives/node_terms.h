@@ -54,11 +54,11 @@ typedef struct {
 /* fvi_wanted_kernel_numbers -- return nonzero if derivatives by numbers of a law are wanted. */
 int fvi_wanted_kernel_numbers(const fvi_sensitivities *want);
 
-/* fvi_kernel_term_is_fraction -- return nonzero if the term is a ZENER or a MAXWELL.
- * fvi_kernel_term_has_order -- return nonzero if it is a POWER or a ZENER. The derivatives of these three kinds are
- * products of histories. */
-int fvi_kernel_term_is_fraction(const fvi_kernel_term *t);
-int fvi_kernel_term_has_order(const fvi_kernel_term *t);
+/* fvi_kernel_is_zener_or_maxwell -- return nonzero if the derivative of the term by its time is -C^2, a product of two
+ * histories.
+ * fvi_kernel_is_power_or_zener -- return nonzero if its derivative by alpha is 2 L C (1 - time C), a product, too. */
+int fvi_kernel_is_zener_or_maxwell(const fvi_kernel_term *t);
+int fvi_kernel_is_power_or_zener(const fvi_kernel_term *t);
 
 /* fvi_kernel_unit_term -- copy a term with rho = 1, and time = 0 if its kind has no time, to *unit, and its rho to
  * *rho. A SYMBOL is the first member of a fvi_kernel_function, all of which is copied. */

@@ -25,8 +25,7 @@ static int is_davidson(const fvi_stage_term *t)
 /* Write ln(1 + T s) as a sum of Maxwell elements. (23.34) It is the integral of s/(1 + tau s) over tau from 0 to T. The
  * rule of Gauss and Legendre has 12 points below `least`, where |least s| < 1/2 for all s = lambda/h. Above, it has 12
  * points on each piece of ln tau, and no piece is longer than 1. There the pole ln tau = -ln s +- pi i is at least 1.8
- * away, because
- * arg lambda| < 1.3. So the error is 1e-16. */
+ * away, because |arg lambda| < 1.3. So the error is 1e-16. */
 static int find_relaxation(fvi_stage_term *t, fvi_kernel *sum)
 {
     enum { POINTS = 12 };
@@ -104,11 +103,11 @@ static int start_term(const fvi_run *run, const fvi_sensitivities *want, size_t 
     fvi_kernel_unit_term(of, &t->unit, &t->rho);
     const fvi_kernel_term *term = &t->unit.term;
     const fvi_kernel alone = { 1, term };
-    const int by_order = want->orders && (fvi_kernel_term_has_order(term) || is_davidson(t));
+    const int by_order = want->orders && (fvi_kernel_is_power_or_zener(term) || is_davidson(t));
     int status = allocate(t);
     if (!status)
         status = convolve(t, run, keep, &alone, &t->self);
-    if (!status && fvi_kernel_term_is_fraction(term)
+    if (!status && fvi_kernel_is_zener_or_maxwell(term)
         && (want->times || (by_order && term->time > 0)))
         status = convolve(t, run, keep, &alone, &t->again);
     if (!status && by_order)

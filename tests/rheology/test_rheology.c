@@ -22,8 +22,8 @@ static const double shape_numbers[][FVI_ELEMENT_SHAPE] = {
 START_TEST(eq_24_17_shapes_and_their_slopes)
 {
     for (fvi_element kind = 0; kind < LEN(shape_numbers); kind++) {
-        char kinds[FVI_ELEMENT_SHAPE];
-        const size_t count = fvi_element_shape(kind, kinds);
+        fvi_kernel_range ranges[FVI_ELEMENT_SHAPE];
+        const size_t count = fvi_element_shape(kind, ranges);
         ck_assert_ptr_nonnull(fvi_element_words[kind]);
         for (int k = -8; k <= 8; k++) {
             const double complex s = pow(10, k / 4.) * I;
