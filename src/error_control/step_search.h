@@ -47,7 +47,7 @@ typedef struct {
  *
  *   method  its lowest, highest, stages and paper_convention are read
  *   run     as for fvi_stepper_start; run->h and run->steps give the rows t_k = k h, which stay where they are. If
- *           there are less than 128 rows, times evenly between them are compared, too
+ *           there are fewer than 128 rows, times evenly between them are compared, too
  *   error   the wanted bound of max |x_k - x(t_k)|, finite, > 0
  *   most    no run of more steps than this is made
  *   x, p    outputs, (steps + 1) d numbers, rows k = 0, ..., N of the last run; p may be NULL

@@ -84,9 +84,9 @@ typedef struct {
  *   FVI_EOVRFLW   x or x' is not finite, also if it is not wanted
  *   FVI_ELOSS     the body has swung so often, w t above 8e17, that twice the digits of a double do not hold the phase.
  *                 This is no error where the oscillation has died away
- *   what fvi_kernel_check returns for a law
- * After FVI_EOVRFLW and FVI_ELOSS the values before the wrong time stand. After any other error x and v are
- * untouched. */
+ *   what fvi_kernel_check returns for a law, or the interrupter (error.h)
+ * After FVI_EOVRFLW, FVI_ELOSS and the number of the interrupter the values before that time stand. After any other
+ * error x and v are untouched. */
 int fvi_exact_at(const fvi_linear_oscillator *problem, size_t n, const double *t, double *x,
                  double *v, fvi_error *error);
 
@@ -121,8 +121,8 @@ int fvi_exact_at(const fvi_linear_oscillator *problem, size_t n, const double *t
  *   FVI_ELOSS     as for fvi_exact_at
  *   FVI_ENOMEM
  *   what fvi_exact_at returns for the problem
- * After FVI_EOVRFLW and FVI_ELOSS the values before the wrong time stand, and all others are NaN. After FVI_ENOMEM x
- * and v are of no use. After any other error they are untouched. */
+ * After FVI_EOVRFLW and FVI_ELOSS the values before the wrong time stand, and all others are NaN. After FVI_ENOMEM and
+ * the number of the interrupter (error.h) x and v are of no use. After any other error they are untouched. */
 int fvi_exact_grid(const fvi_linear_oscillator *problem, double h, size_t n,
                    double tolerance, double *x, double *v,
                  fvi_error *error);

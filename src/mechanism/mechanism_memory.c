@@ -3,6 +3,7 @@
 #include "memory/history_kinds.h"
 #include "memory/history_parts.h"
 #include "run/solution.h"
+#include "system/fail.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -51,8 +52,10 @@ int fvi_mechanism_check_stretch(const fvi_kernel *kernel, size_t j, fvi_error *e
     for (size_t i = 0; i < kernel->count; i++) {
         const fvi_kernel_term *t = &kernel->term[i];
         if (t->rho != 0 && (!is_power(t) || t->alpha > 0.5))
-            return fvi_fail(error, is_power(t) ? FVI_EDOM : FVI_EUNSUP, "damper", (double)j,
-                            "the past rl of damper %zu wants powers of order 1 at most, or an elongation of 0", j + 1);
+            return fvi_at_index(error, j,
+                                fvi_fail(error, is_power(t) ? FVI_EDOM : FVI_EUNSUP, "damper", (double)j + 1,
+                                         "the past rl of damper %zu wants powers of order 1 at most, or an elongation "
+                                         "of 0", j + 1));
     }
     return FVI_SUCCESS;
 }

@@ -105,9 +105,11 @@ static int refuse(const fvi_stepper *s)
     for (size_t j = 0; j < fvi_run_damper_count(&s->run); j++) {
         const fvi_run_damper of = fvi_run_damper_of(&s->run, j);
         if (of.growth == 2 && of.matrix.history_size > 0)
-            return fvi_fail(s->error, FVI_EUNSUP, s->run.system->mechanism ? "damper" : s->run.law ? "law" : "alpha",
-                            (double)j + 1, "a damping of order 2 is a mass: fvi-lobatto2d to 8d take it with "
-                            "matrices, fvi-adaptive does not");
+            return fvi_at_index(s->error, j,
+                                fvi_fail(s->error, FVI_EUNSUP,
+                                         s->run.system->mechanism ? "damper" : s->run.law ? "law" : "alpha",
+                                         (double)j + 1, "a damping of order 2 is a mass: fvi-lobatto2d to 8d take it with "
+                                         "matrices, fvi-adaptive does not"));
     }
     return FVI_SUCCESS;
 }

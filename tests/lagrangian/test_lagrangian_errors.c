@@ -90,6 +90,40 @@ START_TEST(a_mechanism_that_is_none_is_refused)
 }
 END_TEST
 
+/* The start of this method is refused, and the error names the second of two dampers or coordinates. */
+static void ck_assert_names_second(const fvi_method *method, const fvi_system *system, const char *field)
+{
+    const double x0[] = { 1, 2 }, p0[] = { 0, 0 };
+    const fvi_run run = fvi_run_default(system, x0, p0, 0.1, 10);
+    fvi_error error = { .index = 7 };
+    fvi_stepper *s = NULL;
+    const int status = fvi_stepper_start(method, &run, &s, &error);
+    ck_assert_msg(status != FVI_SUCCESS && !s, "%s", method->name);
+    ck_assert_str_eq(error.field, field);
+    ck_assert_msg(error.index == 1, "%s: %zu, %s", method->name, error.index, error.text);
+}
+
+START_TEST(the_index_of_an_error_is_the_damper_or_the_coordinate)
+{
+    static const double first[] = { 1, 0 }, second[] = { 0, 1 }, masses[] = { 1, 1 }, one_mass[] = { 1, 0 },
+                        nothing[] = { 0, 0 };
+    static const fvi_kernel_term zener = { FVI_KERNEL_ZENER, 0.4, 0.3, 2, 0 };
+    const fvi_kernel law = { 1, &zener };
+    fvi_damper damper[] = { { .of = fvi_elongation_row(first), .kernel = &kernel },
+                            { .of = fvi_elongation_row(second), .kernel = &law,
+                              .past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE } };
+    const fvi_mechanism m = { .damper_count = 2, .damper = damper };
+    fvi_system system = { .d = 2, .mass = masses, .damping = nothing, .mechanism = &m };
+    ck_assert_names_second(&fvi_cq2_midpoint, &system, "damper");
+    ck_assert_names_second(&fvi_lobatto_d4, &system, "damper");
+    ck_assert_names_second(&fvi_variable_step, &system, "damper");
+    damper[1].past = FVI_INITIAL_HISTORY_HELD;
+    system.mass = one_mass;
+    ck_assert_names_second(&fvi_fractional, &system, "mass");
+    ck_assert_names_second(&fvi_lobatto_m4, &system, "mass");
+}
+END_TEST
+
 /* What a callback returns ends the call that asked; and what is not finite has its step. */
 START_TEST(codes_of_callbacks_are_passed_on)
 {
@@ -263,6 +297,7 @@ int main(void)
 {
     Suite *suite = suite_create("lagrangian: errors");
     ADD_CASE(suite, "errors", a_mechanism_that_is_none_is_refused,
+             the_index_of_an_error_is_the_damper_or_the_coordinate,
              codes_of_callbacks_are_passed_on, outputs_are_those_of_a_mechanism,
              pasts_are_those_of_the_old_damping, bytes_of_a_mechanism_are_those_that_it_takes);
     return run_suite(suite);

@@ -224,6 +224,7 @@ START_TEST(what_steps_of_any_length_do_not_take_of_matrices)
     b.term[1].alpha = 1;
     ck_assert_int_eq(fvi_stepper_start(&fvi_variable_step, &run, &s, &error), FVI_EUNSUP);
     ck_assert_str_eq(error.field, "damper");
+    ck_assert_uint_eq(error.index, 1);
     b.term[1].alpha = 0.6875;
     fvi_matrices incomplete = *b.system.matrices;
     incomplete.solve_complex = NULL;
