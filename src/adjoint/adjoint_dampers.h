@@ -58,7 +58,8 @@ typedef struct {
     int by_numbers;             /* derivatives by numbers of laws are wanted */
     fvi_adjoint_multipliers multipliers;
     double *Jp, *v0, *right, *by_start, *z, *work, *column, *moved, *jump; /* each */
-    double *zeros, *history_input; /* d zeros; room for twice the numbers that a damper */
+    double *zeros, *history_input; /* d zeros; room for twice the numbers that the history of a
+                                       damper takes in, at most 2 d */
     double *block;              /* the memory of all these arrays and of those of the dampers; owned */
     double by_M, by_K;
 } fvi_adjoint_dampers;

@@ -67,7 +67,7 @@ int fvi_adjoint_variable_solve(fvi_adjoint_variable_run *m, size_t n);
  *
  *   _subtract_velocity   before the first step: write subtracted_velocity
  *   _accumulate_singular_start  in a step n that begins before t1, after Lambda is known
- *   _hand_back           at t1, before the first step that begins there
+ *   _transfer_back       at t1, before the first step that begins there
  *   _end_singular_start  at t = 0: add to the derivatives by x0, p0, mass and damping; by_v0 is dJ/dv_0 */
 void fvi_adjoint_variable_subtract_velocity(fvi_adjoint_variable_run *m);
 void fvi_adjoint_variable_accumulate_singular_start(fvi_adjoint_variable_run *m, size_t n);

@@ -1,8 +1,8 @@
 /* src/estimation/identification_model.h -- Compute the motion as a function of its parameters.
  *
  * This header is internal; nothing is checked here. theta is a parameter as the user knows it. u is the parameter of
- * the search, which may be any number: the logit of an order, the logarithm of rho, of a mass and of a time, and theta
- * itself for all others. */
+ * the search, which may be any number: the logit of an order or an exponent, the logarithm of rho, of a mass and of a
+ * time, and theta itself for all others. */
 #ifndef FVI_IDENTIFICATION_MODEL_H
 #define FVI_IDENTIFICATION_MODEL_H
 

@@ -17,7 +17,8 @@ enum { OUTWARD = 40, INWARD = 40 };
 
 /* ---- numbers by their names ---- */
 
-/* Number i of element n of the law, as a function of z: the logarithm of a size, or an order or an exponent as it is. */
+/* Number i of element n of the law, as a function of z: the logarithm of a size, or an order or an exponent as it
+ * is. */
 typedef struct {
     const fvi_rheology *model;
     size_t n, i;

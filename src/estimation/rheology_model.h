@@ -20,8 +20,8 @@ enum {
 /* Return the element of word i of a law (kernel_classes.h), and the word of element i. */
 fvi_element fvi_element_of_word(size_t i);
 
-/* fvi_element_numbers -- Return the numbers of an element's kind of kernel. A spring and a dashpot are a POWER, but have
- * only its first number.
+/* fvi_element_numbers -- Return the numbers of an element's kind of kernel. A spring and a dashpot are a POWER, but
+ * have only its first number.
  * fvi_element_has_time -- Return `has_time` of this kind (kernel_classes.h). */
 const fvi_kernel_number *fvi_element_numbers(fvi_element kind);
 int fvi_element_has_time(fvi_element kind);
@@ -30,7 +30,8 @@ int fvi_element_has_time(fvi_element kind);
  * first one has the higher order. */
 fvi_kernel_term fvi_element_term(fvi_element kind, const double *number);
 
-/* Return how many numbers u an element has, and write their ranges. A u of the range SIZE is the logarithm of a time. */
+/* Return how many numbers u an element has, and write their ranges. A u of the range SIZE is the logarithm of a
+ * time. */
 size_t fvi_element_shape(fvi_element kind, fvi_kernel_range ranges[FVI_ELEMENT_SHAPE]);
 
 /* Compute phi at s, and its derivatives by u. L = ln s. */

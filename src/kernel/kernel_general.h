@@ -1,8 +1,8 @@
 /* src/kernel/kernel_general.h -- Kernels that are no fractions of powers.      [H 26]
  *
  * This header is internal, and its functions check nothing. A general term is no fraction of powers and no range of
- * orders: a DAVIDSON with time > 0, for example, or a SYMBOL. Its weights come from Cauchy's integral of the symbol. Its
- * modes come from the values of the symbol on the cut, or from a formula of its kind. */
+ * orders: a DAVIDSON with time > 0, for example, or a SYMBOL. Its weights come from Cauchy's integral of the symbol.
+ * Its modes come from the values of the symbol on the cut, or from a formula of its kind. */
 #ifndef FVI_KERNEL_GENERAL_H
 #define FVI_KERNEL_GENERAL_H
 
@@ -46,8 +46,8 @@ typedef struct {
  *   slowest, fastest  the range of rates to resolve: one over the longest time and one over the shortest time of
  *                     interest
  *   delta             relative error, 1e-16 to 1e-2
- *   strip             for modes from the symbol on the cut: the width of the strip beyond the cut in which the symbol is
- *                     analytic as a function of ln s, divided by pi/2
+ *   strip             for modes from the symbol on the cut: the width of the strip beyond the cut in which the symbol
+ *                     is analytic as a function of ln s, divided by pi/2
  *   modes             output; free it with free(modes->rate)
  *
  * A DAVIDSON with 2 alpha >= 0.95 or 2 alpha < 0.02 has no modes. Return FVI_SUCCESS; FVI_EUNSUP, without a call of the

@@ -9,8 +9,8 @@
 
 enum { NODES = FVI_PARABOLA_NODES, SPAN = FVI_PARABOLA_SPAN, EXACT = 64 };
 
-/* A term such as a fraction with 2 alpha > 1 has a pair of conjugate poles off the cut, and a law that the program reads
- * has up to 64 terms (FVI_MOST_TERMS in fvi/parse.h). */
+/* A fraction with 2 below > 1 has a pair of conjugate poles off the cut, and a law that the program reads has up to 64
+ * terms (FVI_MOST_TERMS in fvi/parse.h). */
 enum { MOST_POLES = 64, MOST_IMPULSES = FVI_KERNEL_IMPULSE_NODES };
 
 /* A pole s of C(s) and its residue. If C is a derivative by a parameter, the pole moves with the parameter. Then it

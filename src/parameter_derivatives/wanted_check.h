@@ -8,8 +8,8 @@
 #include <fvi/trajectory.h>
 
 /* fvi_wanted_check_scheme -- check that the derivatives of a method are known: that a method of the library has its
- * scheme, its start and its step. A copy under another name has. A step of your own has not, because its derivatives
- * would be those of other equations. Returns FVI_SUCCESS or FVI_EUNSUP. */
+ * scheme, its start and its step. A copy under another name passes. A step of your own is refused, because its
+ * derivatives would be those of other equations. Returns FVI_SUCCESS or FVI_EUNSUP. */
 int fvi_wanted_check_scheme(const fvi_method *method);
 
 /* fvi_wanted_check_dampers -- check the wanted derivatives of a run with several dampers of matrices. Returns

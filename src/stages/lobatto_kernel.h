@@ -24,8 +24,8 @@ typedef struct {
  * with a denominator of order 2 below > 0.9, except a Maxwell element, because their poles are too near the cut or off
  * it; and those whose weight on the cut changes its sign.
  *
- * Return FVI_SUCCESS; FVI_EUNSUP if the values of a DAVIDSON or a SYMBOL on the cut do not determine all of its
- * weights; FVI_ENOMEM. */
+ * Return FVI_SUCCESS; FVI_EUNSUP if the modes of a general term (kernel_general.h) do not represent its weights;
+ * FVI_ENOMEM. */
 int fvi_lobatto_kernel_prepare(size_t s, const fvi_kernel *law, double h,
                                fvi_lobatto_kernel *ready);
 
@@ -38,15 +38,15 @@ void fvi_lobatto_kernel_free(fvi_lobatto_kernel *ready);
  *          fvi_lobatto_solve_nodes computes a and p from mu
  *
  * There is one set of nodes for all terms with a cut, one node for the pole of each Maxwell element, and one for all
- * springs. Terms without nodes are left out. The nodes of the cut that hardly decay within N steps are replaced by fewer
- * nodes if all their weights have one sign. Return FVI_SUCCESS; FVI_EUNSUP, without a call of the error handler, if a
+ * springs. Terms without nodes are left out. The nodes of the cut that hardly decay within N steps are replaced by
+ * fewer nodes if all their weights have one sign. Return FVI_SUCCESS; FVI_EUNSUP, without a call of the error handler, if a
  * term has no modes; FVI_ENOMEM. */
 int fvi_lobatto_kernel_few_nodes(size_t s, const fvi_lobatto_kernel *ready, double N, double tolerance, size_t *count,
                                  double **nodes);
 
 /* fvi_lobatto_kernel_weights -- Compute W_0, ..., W_{n-1}, n > FVI_LAGS. W is ordered as for fvi_lobatto_weights.
  *
- * Accuracy for each term: as for fvi_lobatto_weights, relative to the largest entry of W_0 (no proof; seen 20). A ZENER
+ * Accuracy for each term: as for fvi_lobatto_weights, relative to the largest entry of W_0 (no proof; seen 20 u). A ZENER
  * with 2 alpha > 1 is less accurate: it rings, and rounding errors stay as long as it rings (seen 1700 u in 150
  * matrices, alpha = 1). Cost: O(n Q), and O(n^2 s^3) for each fraction without nodes. Return FVI_SUCCESS; FVI_ENOMEM;
  * the code of the interrupter (error.h). */
