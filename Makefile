@@ -171,10 +171,10 @@ san: ## the tests under AddressSanitizer and UBSan
 
 fuzz: ## random command lines and files under the sanitizers, minutes (SEED=1 CASE=7)
 	$(MAKE) B=$B/san CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all' $B/san/fuzz
-	ASAN_OPTIONS=allocator_may_return_null=1 $B/san/fuzz $(or $(SEED),1) 100000 10000 100000 $(CASE)
+	ASAN_OPTIONS=allocator_may_return_null=1 $B/san/fuzz $(or $(SEED),1) 100000 10000 100000 1 $(CASE)
 
 test-fuzz: $B/fuzz
-	$< 1 1500 300 3000
+	$< 1 1500 300 3000 50
 
 # Not under valgrind: the peers' truth is in long double, which has 64 bits there; and a test
 # of errors limits the memory of the process, which is valgrind's, too.

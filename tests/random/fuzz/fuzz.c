@@ -1,12 +1,15 @@
 /* tests/random/fuzz/fuzz.c -- Run the program build/fvi with random command lines and files.
  *
- *       fuzz SEED LINES FILES STATES [CASE]   (make fuzz; make test-fuzz for a short run)
+ *       fuzz SEED LINES FILES STATES FITS [CASE]   (make fuzz; make test-fuzz for a short run)
  *
  * The main function of the program is called in this process, under the name fvi_main, so that the sanitizers see
  * all of it. It must return 0, 1 or 2. If it returns 2, it must have printed two lines on standard error and
  * nothing else. A file under -o must be complete or unchanged, and no other file may be left. With CASE, only
  * this case is run, and its words are printed. random_words.c makes the words. After the command lines and files,
- * the library gets STATES damaged states of runs (random_states.c), without files. */
+ * the library gets STATES damaged states of runs (random_states.c), without files.
+ *
+ * One fit in FITS may have data up to t = 1e9, the others up to 3e3. A fit to t = 1e9 may take millions of steps and
+ * several seconds, so `make test-fuzz` has few of them (FITS = 50). In `make fuzz` every fit may be so long (FITS = 1). */
 #define _GNU_SOURCE
 #include <dirent.h>
 #include <fcntl.h>
@@ -126,6 +129,8 @@ static void random_system(void)
         add("--snapshot=end");
 }
 
+static size_t fits_per_long_fit; /* FITS */
+
 static void random_file_and_line(void)
 {
     static const char *const forces[] = { "file:data", "FILE:data + t" };
@@ -145,8 +150,7 @@ static void random_file_and_line(void)
         add("--continue");
         return;
     }
-    /* A fit to t = 1e9 would take millions of steps. */
-    random_file("data", kind == 3 ? "3e3" : "1e9");
+    random_file("data", kind == 3 && dice(fits_per_long_fit) > 0 ? "3e3" : "1e9");
     add(kind == 3 ? "fit" : "run");
     if (kind == 1)
         add("--force=%s", ONE_OF(forces));
@@ -154,7 +158,7 @@ static void random_file_and_line(void)
         add("--%s=@data", ONE_OF(lists));
     else
         add("--starts=2");
-    if (kind == 3 && dice(2)) {
+    if (kind == 3 && dice(4) == 0) {
         add("--method=fvi-adaptive");
         add("--most-steps=%s", few());
     }
@@ -320,13 +324,13 @@ static size_t cases_of_states(unsigned long long s, size_t from, size_t to,
 
 int main(int argc, char **argv)
 {
-    if (argc < 5)
+    if (argc < 6 || !(fits_per_long_fit = strtoul(argv[5], NULL, 10)))
         return 2;
     const unsigned long long s = strtoull(argv[1], NULL, 10);
     const size_t lines = strtoul(argv[2], NULL, 10),
                  files = strtoul(argv[3], NULL, 10),
                  states = strtoul(argv[4], NULL, 10),
-                 only = argc > 5 ? strtoul(argv[5], NULL, 10) : 0;
+                 only = argc > 6 ? strtoul(argv[6], NULL, 10) : 0;
     char folder[] = "/tmp/fuzz-XXXXXX", line[100];
     const char *home = mkdtemp(folder);
     if (!home || chdir(home) != 0)
