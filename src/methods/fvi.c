@@ -60,7 +60,7 @@ static int apply_damping(fvi_stepper *s, fvi_damping *damper)
 {
     int status = FVI_SUCCESS;
     for (; damper && !status; damper = damper->next) {
-        double *sums = damper->z; /* they take the place of their newest terms */
+        double *sums = damper->z; /* the sums overwrite their newest terms */
         status = fvi_damping_set_terms(damper, s);
         if (!status)
             status = fvi_damping_update_history(damper, sums);

@@ -176,8 +176,8 @@ for order in (0.1, 0.5, 0.9):
 
 #> expansion
 # p_j = j! h^j binom(N + j, j) = t^j + h j (j+1)/2 t^(j-1) + ..., t = N h. The sum of p_j is known exactly, because
-# the weights turn 1/(1-z)^(j+1) into (1-z)^(alpha-j-1): it is j! h^(j-alpha) w_N. And Gamma(N + c) / N! = N^(c-1) (1
-# + c (c-1) / (2N) + ...), H 4, (4.5).
+# the weights turn 1/(1-z)^(j+1) into (1-z)^(alpha-j-1): it is j! h^(j-alpha) w_N. By (4.5) of H 4,
+# Gamma(N + c) / N! = N^(c-1) (1 + c (c-1) / (2N) + ...).
 j = symbols("j", positive=True)
 c = j + 1 - alpha
 sum_of_p = factor(alpha, j) * t ** (j - alpha) * (1 + c * (c - 1) * h / (2 * t))
