@@ -113,8 +113,9 @@ static int differentiate(const changed_run *o, double *number, double step, int 
     return status;
 }
 
-/* Differentiate by alpha or end, which are half of an order of s, or an exponent. At whole orders the first rows change their form. The
- * force at t = 0 does not depend on the order, or it jumps there; an exception are kernels that are no fractions of powers. Each
+/* Differentiate by alpha or end, which are half of an order of s, or an exponent. At whole orders the first rows change
+ * their form. If the kernel is a fraction of powers or a range of orders, the force at t = 0 does not depend on the
+ * order, or it jumps there. For other kernels has_start is nonzero, and this force is differentiated, too. Each
  * derivative of h^(2 alpha) multiplies it by 2 log h, so a short h needs a short step in alpha. No point is as far away
  * as the other order of the term, whose distance is the gap. */
 static int differentiate_by_order(const changed_run *o, double *number, double gap, int has_start, double *to)

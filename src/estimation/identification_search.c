@@ -14,7 +14,6 @@
 
 #define STEP 1e-7 /* relative step of a difference: with the memory the motion is smooth to 1e-13 */
 
-typedef fvi_estimation_place slot;
 typedef fvi_estimation_work search;
 
 //> residuals
@@ -115,7 +114,7 @@ static int slopes(const gsl_vector *u, void *params, gsl_matrix *J)
 /* Search downhill from at->u. Of the driver's answers only "not there yet" is used, because a false minimum is reached
  * with success, and a good one may be left with a complaint about the last digits. A search is given up if 60
  * iterations at the pace of the last ten would end above `below`. */
-void fvi_estimation_minimise(search *o, slot *at, double below)
+void fvi_estimation_minimise(search *o, fvi_estimation_place *at, double below)
 {
     enum { TEN = 10, TENS = 6 };
     const size_t P = o->fdf.p;

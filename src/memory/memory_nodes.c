@@ -88,7 +88,7 @@ size_t fvi_history_modes_nodes(double nu, double N, double delta, double *s,
 /* (12.11): a tenth of the tolerance, but small enough for the proof of (12.13) */
 double fvi_history_modes_delta(size_t steps, double tolerance)
 {
-    double wish = tolerance == 0 ? 1e-14 : tolerance / 10;
-    return fmin(wish, 16 / fmax((double)steps, 32000));
+    const double wanted = tolerance == 0 ? 1e-14 : tolerance / 10;
+    return fmin(wanted, 16 / fmax((double)steps, 32000));
 }
 //< delta

@@ -39,15 +39,15 @@ void fvi_lobatto_kernel_free(fvi_lobatto_kernel *ready);
  *
  * There is one set of nodes for all terms with a cut, one node for the pole of each Maxwell element, and one for all
  * springs. Terms without nodes are left out. The nodes of the cut that hardly decay within N steps are replaced by
- * fewer nodes if all their weights have one sign. Return FVI_SUCCESS; FVI_EUNSUP, without a call of the error handler, if a
- * term has no modes; FVI_ENOMEM. */
+ * fewer nodes if all their weights have one sign. Return FVI_SUCCESS; FVI_EUNSUP, without a call of the error handler,
+ * if a term has no modes; FVI_ENOMEM. */
 int fvi_lobatto_kernel_few_nodes(size_t s, const fvi_lobatto_kernel *ready, double N, double tolerance, size_t *count,
                                  double **nodes);
 
 /* fvi_lobatto_kernel_weights -- Compute W_0, ..., W_{n-1}, n > FVI_LAGS. W is ordered as for fvi_lobatto_weights.
  *
- * Accuracy for each term: as for fvi_lobatto_weights, relative to the largest entry of W_0 (no proof; seen 20 u). A ZENER
- * with 2 alpha > 1 is less accurate: it rings, and rounding errors stay as long as it rings (seen 1700 u in 150
+ * Accuracy for each term: as for fvi_lobatto_weights, relative to the largest entry of W_0 (no proof; seen 20 u). A
+ * ZENER with 2 alpha > 1 is less accurate: it rings, and rounding errors stay as long as it rings (seen 1700 u in 150
  * matrices, alpha = 1). Cost: O(n Q), and O(n^2 s^3) for each fraction without nodes. Return FVI_SUCCESS; FVI_ENOMEM;
  * the code of the interrupter (error.h). */
 int fvi_lobatto_kernel_weights(size_t s, const fvi_lobatto_kernel *ready, size_t n,

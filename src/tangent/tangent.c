@@ -182,8 +182,8 @@ static int has_start(const fvi_tangent_run *o, size_t i)
 }
 
 /* The start of the linearised runs at k = 0, as their histories see it. Their past is the past of the run: a line from
- * d x0 with the slope d v0. The momentum of this start is m dv0; add_start_jumps adds v0 dm. If no motion starts at another
- * x0, the derivative is the derivative of a run whose past exerts no force. */
+ * d x0 with the slope d v0. The momentum of this start is m dv0; add_start_jumps adds v0 dm. If no motion starts at
+ * another x0, the derivative is the derivative of a run whose past exerts no force. */
 static void fill_starts(fvi_tangent_run *o)
 {
     const fvi_run *run = o->run;

@@ -150,7 +150,7 @@ void fvi_tangent_damper_stop(fvi_tangent_damper *a)
 
 /* ---- a node ---- */
 
-/* Write z, the numbers that the history of a history gets of x, and their increments dz. */
+/* Write z, the numbers that the history of a damper gets of x, and their increments dz. */
 static int find_elongation(fvi_tangent_run *o, size_t k, fvi_tangent_damper *a)
 {
     const fvi_run *run = o->run;
