@@ -10,28 +10,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int is_same_term(const fvi_kernel_term *a, const fvi_kernel_term *b)
-{
-    if (a->kind == FVI_KERNEL_SYMBOL || b->kind == FVI_KERNEL_SYMBOL)
-        return a == b;
-    return a->kind == b->kind && a->rho == b->rho && a->alpha == b->alpha && a->time == b->time
-           && a->end == b->end;
-}
-
-static int is_same_law(const fvi_kernel *a, const fvi_kernel *b)
-{
-    if (a->count != b->count)
-        return 0;
-    for (size_t i = 0; i < a->count; i++)
-        if (!is_same_term(a->term + i, b->term + i))
-            return 0;
-    return 1;
-}
-
 static int is_same_sum(const fvi_summed_damper *a, const fvi_summed_damper *b)
 {
-    return a->law && b->law ? is_same_law(a->law, b->law)
-                            : !a->law && !b->law && a->power.rho == b->power.rho && a->power.alpha == b->power.alpha;
+    return a->law || b->law ? fvi_is_same_law(a->law, b->law)
+                            : a->power.rho == b->power.rho && a->power.alpha == b->power.alpha;
 }
 
 fvi_summed_damper fvi_summed_damper_of(const fvi_stepper *s, size_t j)

@@ -4,6 +4,7 @@
  * groups that can go together, and repeats the runs of a group one by one if the group fails. */
 #include <fvi/batch.h>
 
+#include "run_damper.h"
 #include "system/fail.h"
 #include "system/lanes.h"
 #include "system/quadratic.h"
@@ -22,22 +23,6 @@ struct fvi_batch {
 };
 
 /* ---- which runs can go together ---- */
-
-/* Return 1 if two laws have the same weights: they have the same terms, or both are no law. */
-static int is_same_law(const fvi_kernel *a, const fvi_kernel *b)
-{
-    if (a == b)
-        return 1;
-    if (!a || !b || a->count != b->count)
-        return 0;
-    for (size_t i = 0; i < a->count; i++) {
-        const fvi_kernel_term *x = a->term + i, *y = b->term + i;
-        if (x->kind != y->kind || x->rho != y->rho || x->alpha != y->alpha || x->time != y->time
-            || x->end != y->end || (x->kind == FVI_KERNEL_SYMBOL && x != y))
-            return 0;
-    }
-    return 1;
-}
 
 /* Return the reason why this run cannot go together with any other run, or NULL. */
 static const char *reason_against_run(const fvi_method *method, const fvi_run *run)
@@ -65,7 +50,7 @@ static const char *reason_against_pair(const fvi_method *method, const fvi_run *
     const fvi_potential *U_a = &system_a->potential, *U_b = &system_b->potential;
     if (a->h != b->h || a->steps != b->steps)
         return "the steps differ";
-    if (a->alpha != b->alpha || !is_same_law(a->law, b->law) || a->past != b->past
+    if (a->alpha != b->alpha || !fvi_is_same_law(a->law, b->law) || a->past != b->past
         || a->memory != b->memory || a->tolerance != b->tolerance)
         return "the memories differ";
     if (a->kappa != b->kappa)

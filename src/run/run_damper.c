@@ -59,6 +59,26 @@ fvi_run fvi_run_normal(const fvi_method *method, const fvi_run *run)
     return normal;
 }
 
+static int is_same_term(const fvi_kernel_term *a, const fvi_kernel_term *b)
+{
+    if (a->kind == FVI_KERNEL_SYMBOL || b->kind == FVI_KERNEL_SYMBOL)
+        return a == b;
+    return a->kind == b->kind && a->rho == b->rho && a->alpha == b->alpha && a->time == b->time
+           && a->end == b->end;
+}
+
+int fvi_is_same_law(const fvi_kernel *a, const fvi_kernel *b)
+{
+    if (a == b)
+        return 1;
+    if (!a || !b || a->count != b->count)
+        return 0;
+    for (size_t i = 0; i < a->count; i++)
+        if (!is_same_term(a->term + i, b->term + i))
+            return 0;
+    return 1;
+}
+
 /* ---- the functions of a damper ---- */
 
 int fvi_run_damper_stages(const fvi_run_damper *damper, size_t d, size_t s, const double *force, double *load)

@@ -26,6 +26,10 @@ typedef struct {
 size_t fvi_run_damper_count(const fvi_run *run);
 fvi_run_damper fvi_run_damper_of(const fvi_run *run, size_t j);
 
+/* fvi_is_same_law -- nonzero if two laws have the same weights: they have the same terms, or both are NULL, which is no
+ * law. Two terms of the kind SYMBOL are the same if they are one term. */
+int fvi_is_same_law(const fvi_kernel *a, const fvi_kernel *b);
+
 /* fvi_run_normal -- the run as the steps of a method see it. Without a law it is unchanged. With a law
  *
  *   past   becomes HELD, because every other past that fvi_run_check allows has the same motion
