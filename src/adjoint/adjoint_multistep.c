@@ -293,7 +293,7 @@ int fvi_adjoint_multistep_step(fvi_adjoint_multistep *m, size_t k, const double 
 //> jump
 /* A run that ends at node k has an adjoint run that begins there, at J_p. The adjoint runs of all p_k that J depends on
  * are added up, so lambda jumps. The history of the stepper does not get the jump, because the origin of the history
- * jumps, too. The history `jumped` has the part that this leaves out. (23.27) */
+ * jumps, too. m->jump_history has the part that this leaves out. (23.27) */
 int fvi_adjoint_multistep_jump(fvi_adjoint_multistep *m, const double *Jp)
 {
     memcpy(m->jump, Jp, m->d * sizeof *Jp);

@@ -55,7 +55,7 @@ typedef struct {
     double *kinetic;               /* each: sum_k (x_{k+1} - x_k) (lambda_{k+1} - lambda_k) */
     /* Each: the sum over all impulses of the initial history times lambda; the same with their derivatives by e */
     double *impulse_sum, *impulse_sum_by_order;
-    double *z, *z_next;            /* each: z_k, z_{k+1}, what the history of the run takes in */
+    double *z, *z_next;            /* each: z_k, z_{k+1}, the numbers that the history of the run takes in */
     double *sum;                   /* each: sum_j z_j N_j, without matrices */
     double *work, *column;         /* each: room */
     fvi_adjoint_multipliers multipliers; /* nu of (23.7), for the histories of the terms of a law */

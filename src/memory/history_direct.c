@@ -10,8 +10,8 @@ typedef struct {
     fvi_history_head head;
     size_t steps;
     int depends_on_steps; /* nonzero if the last digits of the weights depend on steps */
-    double *weights;      /* w_n at [steps - n], so that both factors of a */
-    double *history;      /* sum ascend; coordinate i of term k at [i * (steps + 1) + k] */
+    double *weights;      /* w_n at [steps - n], so that the addresses of both factors of a product ascend */
+    double *history;      /* coordinate i of term k at [i * (steps + 1) + k] */
     double *rates;        /* dw_n/dnu, ordered as the weights; only if the engine was made by_order */
     _Alignas(64) double numbers[];
 } direct_engine;

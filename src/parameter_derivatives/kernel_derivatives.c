@@ -5,11 +5,6 @@
 #include "kernel/kernel_classes.h"
 #include "node_terms.h"
 
-int fvi_kernel_has_derivative(const fvi_kernel_term *term, fvi_slope_by by)
-{
-    return fvi_kernel_number_of(term, 1 + by) != NULL;
-}
-
 /* ---- a derivative as a kernel ---- */
 
 static void value(double re, double im, void *params, double *C_re, double *C_im)
@@ -27,10 +22,10 @@ int fvi_kernel_derivative_of(const fvi_kernel_term *term, fvi_slope_by by,
                              fvi_kernel_derivative *slope)
 {
     const int is_range = term->kind == FVI_KERNEL_DISTRIBUTED;
-    if (!fvi_kernel_has_derivative(term, by) || fvi_kernel_is_zener_or_maxwell(term)
-        || fvi_kernel_is_power_or_zener(term))
+    fvi_symbol_function *symbol = fvi_kernel_derivative_symbol(term, by);
+    if (!symbol || fvi_kernel_is_zener_or_maxwell(term) || fvi_kernel_is_power_or_zener(term))
         return 0;
-    *slope = (fvi_kernel_derivative){ .symbol = fvi_kernel_derivative_symbol(term, by), .of = term };
+    *slope = (fvi_kernel_derivative){ .symbol = symbol, .of = term };
     slope->sign = is_range && by == FVI_SLOPE_BY_ORDER ? -1 : 1;
     slope->function = (fvi_kernel_function){ { FVI_KERNEL_SYMBOL, 1, 0, 0, 0 }, value, slope };
     if (is_range)

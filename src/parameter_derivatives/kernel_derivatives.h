@@ -20,9 +20,6 @@
 /* The number of numbers that a derivative can be taken by, in the order of fvi_slope_by. */
 enum { FVI_KERNEL_DERIVATIVES = 3 };
 
-/* fvi_kernel_has_derivative -- return nonzero if a kernel of this kind has such a number. */
-int fvi_kernel_has_derivative(const fvi_kernel_term *term, fvi_slope_by by);
-
 /* A derivative as a kernel of its own. */
 typedef struct {
     fvi_kernel_function function; /* or for a range of orders a power, its first member */

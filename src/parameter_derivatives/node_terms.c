@@ -127,11 +127,11 @@ int fvi_node_term_start_impulses(fvi_node_term *t, double h,
     int status = want->terms
                      ? fvi_impulses_of_kernel_alloc(&t->single_term, h, &t->impulses[0])
                      : FVI_SUCCESS;
-    for (int by = 0; !status && by < FVI_KERNEL_DERIVATIVES; by++)
-        if (wanted[by] && fvi_kernel_has_derivative(&t->unit.term, (fvi_slope_by)by))
-            status = fvi_impulses_of_slope_alloc(
-                fvi_kernel_derivative_symbol(&t->unit.term, (fvi_slope_by)by), &t->unit.term,
-                (fvi_slope_by)by, h, &t->impulses[1 + by]);
+    for (int by = 0; !status && by < FVI_KERNEL_DERIVATIVES; by++) {
+        fvi_symbol_function *symbol = fvi_kernel_derivative_symbol(&t->unit.term, (fvi_slope_by)by);
+        if (wanted[by] && symbol)
+            status = fvi_impulses_of_slope_alloc(symbol, &t->unit.term, (fvi_slope_by)by, h, &t->impulses[1 + by]);
+    }
     return status;
 }
 

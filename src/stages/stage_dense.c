@@ -36,7 +36,8 @@ static void write_column(const equation *e, size_t q, double sign, double *matri
         matrix[p * e->d + q] = sign * e->column[p];
 }
 
-/* Read column q of C_j. The function damp subtracts S B^T e_q from a vector of zeros, so the sign is reversed. */
+/* Read column q of C_j = S B^T. The function apply_damping subtracts S B^T e_q from a vector of zeros, so the sign is
+ * reversed. */
 static int read_damping(const equation *e, size_t j, size_t q)
 {
     const fvi_damping_matrix C = damper_of(e->matrices, j);
