@@ -41,7 +41,8 @@ START_TEST(eq_26_3_weights_of_havriliak_and_negami)
 }
 END_TEST
 
-/* The exact motion as its header promises, and three integrators to their errors. */
+/* The exact motion as its header promises, and three integrators to their errors: order 2 with 4000 steps (seen:
+ * 1.6e-5), four stages with 200 steps (1.5e-10), and up to 100 steps of any length, each with the error 1e-14 (8e-16). */
 START_TEST(eq_26_9_motions_of_havriliak_and_negami)
 {
     static const double one = 1;
@@ -192,7 +193,9 @@ END_TEST
 /* ---- what is derived from the symbol ---- */
 
 /* Of every kind: the derivatives that it gives are the differences of its symbol, and its growth is that of its
- * values. */
+ * values. Central differences of order 8 with the step T/64 have the error 9!/(630 64^8) = 2e-12 of C/T if the pole is
+ * at the distance T, and less than 1e-11 here. At T = 0 they are of order 6 on one side, with the error 6!/64^6 = 1e-8.
+ * The growth of a distributed law is off by 1/ln s, which is 0.0036 at s = 2^400. */
 START_TEST(derivatives_and_growth_of_every_kind_are_those_of_its_symbol)
 {
     for (size_t i = 0; i < LEN(of_each_kind); i++) {
@@ -221,7 +224,8 @@ START_TEST(derivatives_and_growth_of_every_kind_are_those_of_its_symbol)
 }
 END_TEST
 
-/* s C'(s) of every kind, by differences along a ray. */
+/* s C'(s) of every kind, by differences of order 4 along a ray, with the step 1e-3 in ln s. Their error is 1e-12/30 of
+ * the fifth derivative, and 2e-12 from a rounding error of 10 U in each value of C. */
 START_TEST(slopes_of_every_kind_are_those_of_its_symbol)
 {
     for (size_t i = 0; i < LEN(of_each_kind); i++)
@@ -234,7 +238,7 @@ START_TEST(slopes_of_every_kind_are_those_of_its_symbol)
                                  near = fvi_kernel_at(&law, s * exp(step), NULL) - fvi_kernel_at(&law, s / exp(step), NULL),
                                  far = fvi_kernel_at(&law, s * exp(2 * step), NULL)
                                        - fvi_kernel_at(&law, s / exp(2 * step), NULL);
-            ck_assert_double_lt(cabs((8 * near - far) / (12 * step) - slope), 1e-10 * cabs(C));
+            ck_assert_double_lt(cabs((8 * near - far) / (12 * step) - slope), 1e-11 * cabs(C));
         }
 }
 END_TEST

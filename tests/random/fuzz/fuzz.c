@@ -9,7 +9,7 @@
  * the library gets STATES damaged states of runs (random_states.c), without files.
  *
  * One fit in FITS may have data up to t = 1e9, the others up to 3e3. A fit to t = 1e9 may take millions of steps and
- * several seconds. So `make test-fuzz` has few of them (FITS = 50), and in `make fuzz` every fit may be one (FITS = 1). */
+ * several seconds. So `make test-fuzz` has few of them (FITS = 50). In `make fuzz` every fit may be one (FITS = 1). */
 #define _GNU_SOURCE
 #include <dirent.h>
 #include <fcntl.h>
