@@ -107,7 +107,7 @@ extern "C" {
  * Order 1. Exceptions: for a held body with alpha > 1/2 p has only the order 2 - 2 alpha near t = 0 (19.11). A run with
  * RIEMANN_LIOUVILLE and x0 != 0 has only the order 1 - 2 alpha if alpha < 1/2, and none if alpha > 1/2 (9.5). For
  * rho = 0, kappa = 1/2 and F(0) = 0 the order is 2 (9.8).
- * Stability: steps must be short enough (fvi_stability_longest_step). At alpha = 1 and rho >= m no step is short
+ * Stability: steps must be short enough (fvi_stability_longest_step). At alpha = 1 and rho > m no step is short
  * enough.
  * Cost of a step: that of fvi_stepper_step, and of fvi_history_push for the damped coordinates. A run with rho = 0
  * keeps no history. */

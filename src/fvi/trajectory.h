@@ -117,6 +117,7 @@ typedef struct {
     const fvi_method *method;
     int is_busy; /* nonzero while a function works on it that may call callbacks */
     fvi_error *error; /* while a method starts: the place where it describes what it refuses */
+    int has_failed; /* nonzero after a step that failed: x, p and the history may belong to no step */
 } fvi_stepper;
 
 /* fvi_method -- an integrator, with all its properties. Only the fields have an effect, so a copy under another name
@@ -237,7 +238,8 @@ int fvi_stepper_start(const fvi_method *method, const fvi_run *run,
  *   any number    what the force, the potential or the interrupter (error.h) returned
  *
  * The error handler is not called for a result of the motion, here or in fvi_stepper_start. Afterwards s->k is still k,
- * and x and p belong to no step: only reset or free the stepper. */
+ * and x and p belong to no step: only reset or free the stepper. But the interrupter is asked before the step begins, so
+ * after its number s is unchanged. */
 int fvi_stepper_step(fvi_stepper *s);
 
 /* fvi_force_value -- For use in methods: write F(t) to s->F. Without a force s->F stays zero. Returns FVI_SUCCESS, or
@@ -297,7 +299,7 @@ int fvi_stepper_copy(const fvi_stepper *from, fvi_stepper **to);
  * O(Q d) bytes with FVI_HISTORY_MODES and O(k d) with FVI_HISTORY_DIRECT.
  *
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EUNSUP, before any piece, if the method has a method_state
- * and no serialize; FVI_EINVAL in a callback of this stepper, for a stepper whose last step failed, and for a loaded
+ * and no serialize; FVI_EINVAL in a callback of this stepper, for a stepper in which a step failed, and for a loaded
  * state that this run cannot have (k beyond the end, or an impossible time, place or count). The function checks this
  * before any step reads the state, so a state from an unknown source is safe. It does not check the numbers of the
  * past: if one is not finite, a later step fails. Or it returns the code that the archive returned. */

@@ -149,15 +149,19 @@ int fvi_stepper_step(fvi_stepper *s)
         FVI_FAIL("the run is over", FVI_EINVAL);
     s->is_busy = 1;
     int status = is_time_to_check(s) ? fvi_interrupted() : FVI_SUCCESS;
-    if (!status)
+    if (!status) {
         status = s->method->step(s);
+        s->has_failed |= status != 0 && status != FVI_EINVAL; /* FVI_EINVAL: an event has ended the run before */
+    }
     s->is_busy = 0;
     if (status)
         return status;
     if (s->run.system->force.impulse_count && !s->method->dense)
         fvi_impulses_act(s, s->k + 1);
-    if (!is_finite(s))
+    if (!is_finite(s)) {
+        s->has_failed = 1;
         return FVI_EOVRFLW; /* no mistake of the caller, so no error handler */
+    }
     s->k = s->method->dense ? rows_passed(s) : s->k + 1;
     if (!s->method->dense)
         s->t = (double)s->k * s->run.h;
@@ -241,6 +245,7 @@ int fvi_stepper_copy(const fvi_stepper *from, fvi_stepper **to)
         FVI_FAIL("no memory for the state", FVI_ENOMEM);
     s->k = from->k;
     s->t = from->t;
+    s->has_failed = from->has_failed;
     memcpy(s->x, from->x, NUMBERS * s->run.system->d * sizeof *s->x);
     int status = FVI_SUCCESS;
     if (from->newton)
@@ -289,6 +294,8 @@ int fvi_stepper_archive(fvi_stepper *s, fvi_archive *v)
     REFUSE_CALLBACKS_OF(s);
     if (s->method_state && !s->method->serialize)
         FVI_FAIL("the method does not show its data", FVI_EUNSUP);
+    if (s->has_failed)
+        FVI_FAIL("the last step failed", FVI_EINVAL);
     s->is_busy = 1;
     const int status = serialize_all(s, v);
     s->is_busy = 0;

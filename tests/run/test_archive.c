@@ -297,6 +297,43 @@ START_TEST(counts_that_do_not_fit_are_refused)
 }
 END_TEST
 
+/* A force that fails in the middle of a step: p has moved, but t has not. */
+static int force_that_may_fail(double t, size_t d, void *params, double *F)
+{
+    int *calls_left = params;
+    (void)t;
+    for (size_t i = 0; i < d; i++)
+        F[i] = 1;
+    return *calls_left > 0 && --*calls_left == 0 ? -9 : 0;
+}
+
+START_TEST(a_step_that_failed_is_not_saved)
+{
+    int calls_left;
+    fvi_system system = duffing();
+    system.force = (fvi_force){ .value = force_that_may_fail, .params = &calls_left };
+    const fvi_method *const methods[] = { &fvi_fractional, &fvi_cq2_midpoint, &fvi_lobatto_m4, &fvi_variable_step };
+    for (size_t n = 0; n < LEN(methods); n++) {
+        const fvi_run run = fvi_run_default(&system, x0, p0, 0.05, N);
+        fvi_stepper *s, *copy;
+        calls_left = 0;
+        ck_assert_int_eq(fvi_stepper_start(methods[n], &run, &s, NULL), 0);
+        ck_assert_int_eq(fvi_stepper_step(s), 0);
+        calls_left = methods[n] == &fvi_cq2_midpoint ? 2 : 1;
+        ck_assert_int_eq(fvi_stepper_step(s), -9);
+        shelf all = { { save }, bytes, bytes + ROOM, 0, 0, 0 };
+        ck_assert_int_eq(fvi_stepper_archive(s, &all.archive), FVI_EINVAL);
+        ck_assert_int_eq(fvi_stepper_copy(s, &copy), 0);
+        ck_assert_int_eq(fvi_stepper_archive(copy, &all.archive), FVI_EINVAL);
+        ck_assert(all.at == bytes);
+        ck_assert_int_eq(fvi_stepper_reset(s), 0);
+        ck_assert_int_eq(fvi_stepper_archive(s, &all.archive), 0);
+        fvi_stepper_free(copy);
+        fvi_stepper_free(s);
+    }
+}
+END_TEST
+
 /* The direct memory knows all that was, and so a run may be made longer. */
 START_TEST(a_run_with_the_direct_memory_may_be_made_longer)
 {
@@ -347,7 +384,7 @@ int main(void)
              a_run_with_the_direct_memory_may_be_made_longer);
     ADD_CASE(suite, "errors", another_run_is_refused,
              a_count_that_no_run_has_is_refused,
-             counts_that_do_not_fit_are_refused,
+             counts_that_do_not_fit_are_refused, a_step_that_failed_is_not_saved,
              a_method_without_serialize_is_refused);
     return run_suite(suite);
 }
