@@ -79,8 +79,8 @@ typedef struct fvi_damper {
  * fvi_fractional, fvi_cq2_midpoint, the methods with stages (lobatto.h) and fvi_variable_step take a mechanism.
  * fvi_fractional takes no constraints, and fvi_variable_step takes no damper of the order 2 and no law with a pole
  * beside its cut. If fvi_stepper_start refuses a mechanism (FVI_EUNSUP, FVI_EDOM, FVI_ESING), the field of its error
- * names the part, for example "lagrangian", "damper", "constraint", "mass", "x0" or "p0". The index is the number of the
- * damper, constraint or coordinate, from 0. */
+ * names the part, for example "lagrangian", "damper", "constraint", "mass", "x0" or "p0". The index is the number of
+ * the damper, constraint or coordinate, from 0. */
 typedef struct fvi_mechanism {
     size_t damper_count;
     const fvi_damper *damper;

@@ -238,8 +238,8 @@ int fvi_stepper_start(const fvi_method *method, const fvi_run *run,
  *   any number    what the force, the potential or the interrupter (error.h) returned
  *
  * The error handler is not called for a result of the motion, here or in fvi_stepper_start. Afterwards s->k is still k,
- * and x and p belong to no step: only reset or free the stepper. But the interrupter is asked before the step begins, so
- * after its number s is unchanged. */
+ * and x and p belong to no step: only reset or free the stepper. But the interrupter is asked before the step begins,
+ * so after its number s is unchanged. */
 int fvi_stepper_step(fvi_stepper *s);
 
 /* fvi_force_value -- For use in methods: write F(t) to s->F. Without a force s->F stays zero. Returns FVI_SUCCESS, or
