@@ -111,6 +111,23 @@ int fvi_momentum_of_velocity(const fvi_system *system, double t,
 int fvi_velocity_of_momentum(const fvi_system *system, double t,
                              const double *x, const double *p, double *v);
 
+/* fvi_check_start_velocity -- Check that each velocity that was given has an effect. The velocity of a coordinate
+ * without inertia follows from the forces, so it must be given as 0. Where constraints rule over velocities, and where
+ * L_vv v = p cannot be solved, the start of a run checks more, and this function nothing.
+ *
+ *   system       of d coordinates, without matrices
+ *   x0, v0       the start, d numbers each
+ *   p0           the momenta of v0, from fvi_momentum_of_velocity
+ *
+ *     status = fvi_momentum_of_velocity(&system, 0, x0, v0, p0);
+ *     if (!status)
+ *         status = fvi_check_start_velocity(&system, x0, v0, p0, &error);
+ *
+ * Cost: fvi_velocity_of_momentum once. fvi_parse_problem calls it.
+ * Returns FVI_SUCCESS; FVI_EINVAL with the field "v0"; FVI_ENOMEM. */
+int fvi_check_start_velocity(const fvi_system *system, const double *x0, const double *v0, const double *p0,
+                             fvi_error *error);
+
 /* fvi_energy_at -- Compute the energy E = v . L_v - L at the time t.                          [(29.9)]
  *
  *   t     time

@@ -154,12 +154,10 @@ fvi_force fvi_force_typed(const fvi_typed_force *force);
 
 /* fvi_typed_force_is_simple -- Return nonzero if the force is none, one step or one cosine: the forces of
  * fvi_linear_oscillator (exact_solution.h). Then *kind and constants describe it. */
-int fvi_typed_force_is_simple(const fvi_typed_force *force, fvi_forcing *kind,
-                              double constants[2]);
+int fvi_typed_force_is_simple(const fvi_typed_force *force, fvi_forcing *kind, double constants[2]);
 
 /* fvi_typed_force_by_parameter -- Return the derivative of the force at the time t by parameter number j, from 0. */
-double fvi_typed_force_by_parameter(const fvi_typed_force *force, size_t j,
-                                    double t);
+double fvi_typed_force_by_parameter(const fvi_typed_force *force, size_t j, double t);
 
 /* fvi_typed_force_jump -- Return jump number i, from 0, of the known times at which the force jumps: the ends of its
  * steps, and its impulses. NaN if there is no such jump. */
@@ -369,8 +367,7 @@ typedef struct fvi_typed_problem fvi_typed_problem;
  *     fvi_typed_problem *typed;
  *     if (fvi_parse_problem("U=duffing:1,0.5; alpha=0.3; T=10", &typed, &error) == FVI_SUCCESS)
  *         fvi_solve(fvi_problem_typed(typed), NULL, &accuracy, &outputs, NULL, &error); */
-int fvi_parse_problem(const char *text, fvi_typed_problem **problem,
-                      fvi_error *error);
+int fvi_parse_problem(const char *text, fvi_typed_problem **problem, fvi_error *error);
 
 /* fvi_problem_typed -- Return the problem for fvi_solve. It belongs to the typed problem. */
 const fvi_problem *fvi_problem_typed(const fvi_typed_problem *problem);
@@ -378,12 +375,9 @@ const fvi_problem *fvi_problem_typed(const fvi_typed_problem *problem);
 /* fvi_typed_problem_free -- Free the problem. NULL is allowed. */
 void fvi_typed_problem_free(fvi_typed_problem *problem);
 
-/* ---- the start ---- */
-
 /* fvi_check_start_force -- Check that a typed force is not infinite at t = 0, for a method that evaluates it just after
- * t = 0. Its value there would be finite, but as large as the floating-point numbers allow, and so would be the motion.
- * Algorithm 3 and the classical methods of order 1 take t = 0 itself, or no force in the first row, so they take every
- * force. [(13.12)]
+ * t = 0: its value there would be huge, and so would be the motion. Algorithm 3 and the classical methods take every
+ * force, because they take t = 0 itself, or no force in the first row. [(13.12)]
  *
  *   method       the method of the run
  *   field, text  the name and the text of the force, for the error
@@ -395,26 +389,8 @@ void fvi_typed_problem_free(fvi_typed_problem *problem);
 int fvi_check_start_force(const fvi_method *method, const char *field, const char *text,
                           const fvi_typed_force *force, fvi_error *error);
 
-/* fvi_check_start_velocity -- Check that each velocity that was given has an effect. The velocity of a coordinate
- * without inertia follows from the forces, so it must be given as 0. Where constraints rule over velocities, and where
- * L_vv v = p cannot be solved, the start of a run checks more, and this function nothing.
- *
- *   system       of d coordinates, without matrices
- *   x0, v0       the start, d numbers each
- *   p0           the momenta of v0, from fvi_momentum_of_velocity
- *
- *     status = fvi_momentum_of_velocity(&system, 0, x0, v0, p0);
- *     if (!status)
- *         status = fvi_check_start_velocity(&system, x0, v0, p0, &error);
- *
- * Cost: fvi_velocity_of_momentum once. fvi_parse_problem calls it.
- * Returns FVI_SUCCESS; FVI_EINVAL with the field "v0"; FVI_ENOMEM. */
-int fvi_check_start_velocity(const fvi_system *system, const double *x0, const double *v0, const double *p0,
-                             fvi_error *error);
-
 /* fvi_parse_method -- Find the method with this name. The names are those of the program's option `run --method`. */
-int fvi_parse_method(const char *text, const fvi_method **method,
-                     fvi_error *error);
+int fvi_parse_method(const char *text, const fvi_method **method, fvi_error *error);
 
 #pragma GCC visibility pop
 #ifdef __cplusplus
