@@ -33,10 +33,10 @@ void fvi_gradient_note_reasons(int on)
 /* Repeat the run without derivatives. If it overflows or a step cannot be solved, there is no last row to
  * differentiate. The energy of the last row may also overflow; it is checked for a potential only. *reached is the step
  * that failed, or 0 if the run did not start. Return FVI_SUCCESS or the code of the failure. */
-static int repeat_run(fvi_gradient_request *r, size_t *reached, fvi_error *error)
+static int repeat_run(fvi_gradient_request *r, size_t *reached)
 {
     fvi_stepper *s;
-    int failed = fvi_stepper_start(r->o.method, &r->run, &s, error);
+    int failed = fvi_stepper_start(r->o.method, &r->run, &s, NULL);
     *reached = 0;
     if (failed)
         return failed;
@@ -53,14 +53,16 @@ static int repeat_run(fvi_gradient_request *r, size_t *reached, fvi_error *error
 int fvi_gradient_complain(fvi_gradient_request *r, int status)
 {
     size_t step;
-    fvi_error error = { 0 };
     if (status == FVI_ENOMEM)
         return fvi_complain("not enough memory");
-    const int failed = repeat_run(r, &step, &error);
-    if (failed)
-        return step > 0      ? fvi_stopped_at(step, failed)
-               : error.field ? fvi_complain_of(&error)
-                             : fvi_complain(fvi_reason_of_code(&r->o, failed));
+    const int failed = repeat_run(r, &step);
+    if (failed && step > 0)
+        return fvi_stopped_at(step, failed);
+    if (failed) {
+        fvi_error error;
+        fvi_reason_of_start(&r->o, &r->run, failed, &error);
+        return error.field ? fvi_complain_of(&error) : fvi_complain(fvi_reason_of_code(&r->o, failed));
+    }
     if (status == FVI_EOVRFLW)
         return fvi_stopped_at(r->o.steps, status);
     return fvi_complain(noted.code == status ? noted.text : fvi_code_in_words(status));

@@ -17,6 +17,8 @@ static const char *option_of(const fvi_options *o, const char *field)
     };
     if (strcmp(field, "observer") == 0)
         return o->text[REDUCE] ? "reduce" : "columns";
+    if (strcmp(field, "T") == 0)
+        return o->text[TIME] ? "time" : "h";
     if (strcmp(field, "damper") == 0 && !o->text[DAMPER])
         return o->text[DAMPING] ? "damping" : "alpha";
     for (size_t i = 0; i < sizeof options / sizeof *options; i++)

@@ -265,17 +265,17 @@ static int has_no_solution(const fvi_solve_state *o)
 /* Report why a search failed. If the method refuses the start of the run, fvi_stepper_start says why. */
 static int fail_of_search(const fvi_solve_state *o, int status)
 {
-    if (status == FVI_EUNSUP) {
+    if (status == FVI_EDOM && has_no_solution(o))
+        return fvi_fail(o->error, status, "past", NAN,
+                        "Riemann-Liouville with a damped x0 != 0 has no solution for alpha > 1/2, to which no run can be near; "
+                        "%s runs as printed with h in the place of an error", o->method->name);
+    if (status == FVI_EUNSUP || status == FVI_EDOM) {
         fvi_stepper *s = NULL;
         const int again = fvi_stepper_start(o->method, &o->run, &s, o->error);
         fvi_stepper_free(s);
         if (again == status)
             return status;
     }
-    if (status == FVI_EDOM && has_no_solution(o))
-        return fvi_fail(o->error, status, "past", NAN,
-                        "Riemann-Liouville with a damped x0 != 0 has no solution for alpha > 1/2, to which no run can be near; "
-                        "%s runs as printed with h in the place of an error", o->method->name);
     if (o->method->dense && fvi_search_is_too_long(status))
         return fvi_fail(o->error, status, NULL, NAN, "%s; no run comes further than t = %.6g", fvi_error_name(status),
                         o->report->until);

@@ -238,9 +238,11 @@ int fvi_modes_alloc(const fvi_variable_rule *rule, fvi_modes_kind kind,
                     fvi_modes **modes)
 {
     const range of = ranges[kind];
-    const double L = fvi_variable_spacing();
+    const double L = fvi_variable_spacing(), fastest = of.highest / least;
+    if (!isfinite(fastest))
+        FVI_FAIL("the run is too short: the fastest decay rate of its memory would be above 1.8e308", FVI_EDOM);
     const int first = (int)floor((-of.lowest - log(T)) / L),
-              last = (int)ceil(log(of.highest / least) / L);
+              last = (int)ceil(log(fastest) / L);
     const size_t most = (size_t)(last - first) / of.every + 1,
                  Q = most / FVI_LANES * FVI_LANES + FVI_LANES;
     fvi_modes *m = make_modes((fvi_modes){ .rule = rule,

@@ -61,7 +61,8 @@ typedef enum {
  * COARSE (no proof; tested against the matrix power). Memory: O(d Q), where Q is about 64 + 3.9 ln(T / least), 48 + 3.9
  * ln(T / least) or 24 + 1.9 ln(T / least).
  *
- * Return FVI_SUCCESS or FVI_ENOMEM. */
+ * Return FVI_SUCCESS; FVI_EDOM if `least` is so short that the fastest decay rate, up to 2e4 / least, is no finite
+ * number; or FVI_ENOMEM. */
 int fvi_modes_alloc(const fvi_variable_rule *rule, fvi_modes_kind kind,
                     double beta, size_t d, double T, double least,
                     fvi_modes **modes);

@@ -180,8 +180,9 @@ int fvi_mesh_begin_damper(fvi_stepper *s, const fvi_variable_step_state *o,
                           fvi_mesh_damper *to)
 {
     const fvi_kernel_term *power = power_of(kernel);
-    return power ? begin_power(o, power->rho, power->alpha, count, to)
+    const int status = power ? begin_power(o, power->rho, power->alpha, count, to)
                  : begin_law(s, o, kernel, count, j, to);
+    return fvi_variable_step_explain_modes(s, o, status);
 }
 
 int fvi_mesh_begin_dampers(fvi_stepper *s, fvi_variable_step_state *o)

@@ -220,7 +220,8 @@ static inline double fvi_variable_step_compliance(const fvi_variable_step_state 
 /* fvi_variable_step_prepare_kernel, _copy_kernel -- prepare a law of damping for a run, or copy it; free it with free.
  * The first returns FVI_SUCCESS or FVI_ENOMEM, the second NULL without memory.
  * fvi_variable_step_begin_kernel -- allocate o->modes and o->rising for o->kernel. Returns FVI_SUCCESS; FVI_EUNSUP if a
- * pole of the law is too near to its cut, or off it; FVI_ENOMEM.
+ * pole of the law is too near to its cut, or off it; FVI_EDOM if the run is too short for modes; FVI_ENOMEM.
+ * fvi_variable_step_explain_modes -- return the status of an allocation of modes; tell s->error of FVI_EDOM.
  * fvi_variable_step_present_kernel -- compute W0, W1 and memory_leakage for steps of length h. (26.18) */
 typedef struct fvi_variable_step_kernel fvi_variable_step_kernel;
 int fvi_variable_step_prepare_kernel(const fvi_kernel *law,
@@ -228,6 +229,7 @@ int fvi_variable_step_prepare_kernel(const fvi_kernel *law,
 fvi_variable_step_kernel *
 fvi_variable_step_copy_kernel(const fvi_variable_step_kernel *from);
 int fvi_variable_step_begin_kernel(fvi_variable_step_state *o);
+int fvi_variable_step_explain_modes(const fvi_stepper *s, const fvi_variable_step_state *o, int status);
 void fvi_variable_step_present_kernel(fvi_variable_step_state *o, double h);
 
 /* The same functions for any law, which acts on d numbers, in a run that lasts T and whose steps are never shorter than

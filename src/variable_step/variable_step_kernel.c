@@ -117,6 +117,12 @@ static double strip_width(const fvi_variable_step_kernel *k, int rising, int *an
     return width;
 }
 
+/* Return the rate of the fastest mode: mu is 1e6 in the shortest step. It is infinite if that step is too short. */
+static double fastest_rate(const fvi_kernel_on_mesh *o)
+{
+    return 1e6 / o->least;
+}
+
 /* Add the modes from mu = 1e6 in the shortest step down to sigma T = 1e-8. One more mode stands for all rates below,
  * with the same two moments. */
 //> ladder
@@ -126,7 +132,9 @@ static int add_ladder(const fvi_kernel_on_mesh *o, int rising,
     const fvi_variable_step_kernel *k = o->kernel;
     int any;
     const double width = strip_width(k, rising, &any), step = 2 * M_PI * width / 36,
-                 last = log(1e6 / o->least), first = log(1e-8 / o->T);
+                 last = log(fastest_rate(o)), first = log(1e-8 / o->T);
+    if (any && !isfinite(last))
+        FVI_FAIL("the run is too short: the fastest decay rate of its memory would be above 1.8e308", FVI_EDOM);
     if (any && !((last - first) / step < MOST_MODES - 2))
         return FVI_EUNSUP; /* poles are too near to the cut, or off it */
     double u = last, S0 = 0, S1 = 0;
@@ -183,9 +191,11 @@ static int modes_reproduce_kernel(const fvi_kernel_term *t, const fvi_kernel_mod
 static int add_general_term(const fvi_kernel_on_mesh *o,
                             const fvi_kernel_term *t, mode_list *l)
 {
+    if (!isfinite(fastest_rate(o)))
+        FVI_FAIL("the run is too short: the fastest decay rate of its memory would be above 1.8e308", FVI_EDOM);
     for (double width = 1; width > 0.1; width /= 2) {
         fvi_kernel_modes m;
-        int status = fvi_kernel_modes_of(t, 1e-2 / o->T, 1e6 / o->least, 1e-15,
+        int status = fvi_kernel_modes_of(t, 1e-2 / o->T, fastest_rate(o), 1e-15,
                                          width, &m);
         if (status == FVI_EUNSUP)
             continue;

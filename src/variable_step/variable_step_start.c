@@ -209,10 +209,19 @@ static int can_apply_impulses(const fvi_stepper *s, const fvi_variable_step_stat
                      : o->beta <= 0 || o->beta == 1;
 }
 
+int fvi_variable_step_explain_modes(const fvi_stepper *s, const fvi_variable_step_state *o, int status)
+{
+    return status == FVI_EDOM
+               ? fvi_fail(s->error, status, "T", o->T,
+                          "%g is too short: the fastest decay rate of its memory would be above 1.8e308",
+                          o->T)
+               : status;
+}
+
 /* Allocate the modes of a law. */
 static int begin_kernel(fvi_stepper *s, fvi_variable_step_state *o)
 {
-    const int status = fvi_variable_step_begin_kernel(o);
+    const int status = fvi_variable_step_explain_modes(s, o, fvi_variable_step_begin_kernel(o));
     return status == FVI_EUNSUP
                ? fvi_fail(s->error, status, NULL, NAN, "a pole of this law is too near to its cut, or off it, for "
                           "fvi-adaptive; %sfvi-bdf2 and fvi-stable take it",
@@ -247,8 +256,8 @@ static int begin_memory(fvi_stepper *s, fvi_variable_step_state *o)
     o->counts.memory = o->modes_kind == FVI_MODES_COARSE   ? 1e-7
                        : o->modes_kind == FVI_MODES_MEDIUM ? 3e-10
                                                            : 0;
-    return fvi_modes_alloc(o->rule, o->modes_kind, o->beta, o->damped, o->T, o->least,
-                           &o->modes);
+    status = fvi_modes_alloc(o->rule, o->modes_kind, o->beta, o->damped, o->T, o->least, &o->modes);
+    return fvi_variable_step_explain_modes(s, o, status);
 }
 
 /* Prepare a law. Refuse a velocity that jumps if a term of the law grows faster than s, because x'' would be infinite.

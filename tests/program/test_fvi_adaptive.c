@@ -57,6 +57,33 @@ START_TEST(a_wanted_error_needs_no_other_word)
 }
 END_TEST
 
+/* The decay rates of the memory are up to 2e4 / (1e-14 T), and 1e6 / (1e-14 T) for a law. At T = 1e-300 they are no
+ * numbers, and the refusal says so; at T = 1e-287 they are. Half derivatives have no memory, but their derivative by
+ * alpha has one. */
+START_TEST(a_time_that_is_too_short_for_a_memory_is_refused_in_words)
+{
+    static const char *const dampings[] = { "--alpha 0.3", "--alpha 0.9", "--damping zener:1,0.3,2",
+                                            "--damping distributed:1,0.2,0.4", "--damper 'x : power:1,0.3'",
+                                            "--damper 'x : zener:1,0.3,2'" };
+    static const char *const commands[] = { "run --error 1e-9", "run --step-error 1e-9", "gradient" };
+    char line[200];
+    for (size_t i = 0; i < LEN(dampings); i++) {
+        for (size_t j = 0; j < LEN(commands); j++) {
+            snprintf(line, sizeof line, "%s --method fvi-adaptive %s --time 1e-300", commands[j], dampings[i]);
+            ck_assert_int_ne(fvi(line), 0);
+            ck_assert_msg(strstr(err, "fvi: --time: 1e-300 is too short: the fastest decay rate of its memory would be above "
+                                      "1.8e308\n") == err,
+                          "%s: %s", line, err);
+        }
+    }
+    ck_assert_int_eq(fvi("run --error 1e-9 --method fvi-adaptive --alpha 0.3 --time 1e-287"), 0);
+    ck_assert_int_eq(fvi("run --error 1e-9 --method fvi-adaptive --damping zener:1,0.3,2 --time 1e-287"), 0);
+    ck_assert_int_eq(fvi("run --error 1e-9 --time 1e-300"), 0);
+    ck_assert_int_eq(fvi("gradient --method fvi-adaptive --time 1e-300"), 1);
+    ck_assert_str_eq(err, "fvi: the run is too short: the fastest decay rate of its memory would be above 1.8e308\n");
+}
+END_TEST
+
 /* Two masses on a chain: x and p of each row, whichever of them are columns. */
 START_TEST(each_mass_has_its_momentum)
 {
@@ -333,5 +360,6 @@ int main(void)
     ADD_CASE(suite, "most-steps",
              a_run_that_comes_to_no_end_says_how_far_it_came,
              most_steps_are_for_steps_that_are_chosen);
+    ADD_CASE(suite, "time", a_time_that_is_too_short_for_a_memory_is_refused_in_words);
     return run_suite_of_program(suite);
 }

@@ -71,10 +71,29 @@ START_TEST(no_time_is_told_where_runs_agree_to_the_end)
 }
 END_TEST
 
+/* The shortest step is 1e-14 T, and the fastest decay rate is 2e4 / (1e-14 T), which is no number below T = 1.1e-290. */
+START_TEST(a_motion_that_is_too_short_for_a_memory_is_no_lack_of_memory)
+{
+    double x[3];
+    fvi_problem problem = duffing();
+    problem.alpha = 0.3;
+    problem.T = 1e-291;
+    const fvi_accuracy accuracies[] = { { .tolerance = 1e-9 }, { .tolerance = 0 } };
+    const fvi_solve_options options = { .method = &fvi_variable_step };
+    const fvi_outputs outputs = { .rows = LEN(x), .x = x };
+    for (size_t i = 0; i < LEN(accuracies); i++) {
+        ck_assert_int_eq(fvi_solve(&problem, &options, &accuracies[i], &outputs, NULL, &error), FVI_EDOM);
+        ck_assert_str_eq(error.field, "T");
+        ck_assert(error.value == 1e-291 && strstr(error.text, "too short: the fastest decay rate of its memory"));
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("the one call, out of reach");
     ADD_CASE(suite, "solve", the_smallest_estimate_is_reported, the_time_up_to_which_a_tolerance_is_reached_is_told,
-             no_time_is_told_where_runs_agree_to_the_end);
+             no_time_is_told_where_runs_agree_to_the_end,
+             a_motion_that_is_too_short_for_a_memory_is_no_lack_of_memory);
     return run_suite(suite);
 }
