@@ -1,7 +1,7 @@
 /* src/estimation/rheology.c -- Fit laws of damping to the measurements of a laboratory. [H 24] */
 #include <fvi/rheology.h>
 
-#include "rheology_answer.h"
+#include "rheology_search.h"
 #include "kernel/kernel_terms.h"
 #include "kernel/laplace_parabola.h"
 #include "system/dot.h"
@@ -130,16 +130,15 @@ static void hypercube(const fvi_rheology *m, size_t K, double *starts, gsl_rng *
 }
 
 /* Search from the starts until three of them agree on the least sum. Return that sum. */
-static double try_starts(fvi_rheology_work *o, const double *starts, double *z, fvi_material *a)
+static double try_starts(fvi_rheology *o, const double *starts, double *z, fvi_material *a)
 {
-    const fvi_rheology *m = &o->model;
-    const size_t P = m->shapes + m->elements;
+    const size_t P = o->shapes + o->elements;
     double best = INFINITY;
-    const double data = fvi_dot(m->rows, m->y, m->y);
-    for (a->starts = a->agree = 0; a->starts < m->data->starts && a->agree < ENOUGH; a->starts++) {
+    const double data = fvi_dot(o->rows, o->y, o->y);
+    for (a->starts = a->agree = 0; a->starts < o->data->starts && a->agree < ENOUGH; a->starts++) {
         double there[FVI_LAW_MOST];
         const double *start = starts + a->starts * P,
-                     sum = fvi_rheology_search(o, start, start + m->shapes, there),
+                     sum = fvi_rheology_search(o, start, start + o->shapes, there),
                      near = SAME * best + 1e-20 * data;
         if (!(sum < INFINITY))
             continue;
@@ -185,10 +184,10 @@ static void sort_elements(const fvi_rheology *m, double *z)
 
 /* ---- the whole ---- */
 
-static int fit(fvi_rheology_work *o, double *curve, fvi_material *answer, fvi_error *error)
+static int fit(fvi_rheology *o, double *curve, fvi_material *answer, fvi_error *error)
 {
-    const fvi_material_data *d = o->model.data;
-    const size_t P = o->model.shapes + o->model.elements;
+    const fvi_material_data *d = o->data;
+    const size_t P = o->shapes + o->elements;
     double z[FVI_LAW_MOST];
     fvi_quiet();
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
@@ -197,7 +196,7 @@ static int fit(fvi_rheology_work *o, double *curve, fvi_material *answer, fvi_er
     *answer = (fvi_material){ .numbers = 0 };
     double sum = INFINITY;
     if (random && starts) {
-        hypercube(&o->model, d->starts, starts, random);
+        hypercube(o, d->starts, starts, random);
         sum = try_starts(o, starts, z, answer);
     }
     const int memory = random && starts;
@@ -208,7 +207,7 @@ static int fit(fvi_rheology_work *o, double *curve, fvi_material *answer, fvi_er
         return fvi_no_memory(error, NULL);
     if (!(sum < INFINITY))
         return fvi_fail(error, FVI_EBADFUNC, NULL, NAN, "no start gives a law that is finite");
-    sort_elements(&o->model, z);
+    sort_elements(o, z);
     fvi_rheology_answer(o, z, sum, answer);
     if (!curve)
         return FVI_SUCCESS;
@@ -219,15 +218,14 @@ static int fit(fvi_rheology_work *o, double *curve, fvi_material *answer, fvi_er
 int fvi_material_fit(const fvi_material_data *data, double *curve, fvi_material *material,
                      fvi_error *error)
 {
-    fvi_rheology_work o;
+    fvi_rheology o;
     int status = check(data, material, error);
     if (status)
         return status;
-    status = fvi_rheology_work_alloc(data, &o);
-    if (status)
-        status = fvi_fail(error, status, NULL, NAN, "not enough memory");
+    if (fvi_rheology_alloc(data, &o))
+        status = fvi_no_memory(error, NULL);
     else
         status = fit(&o, curve, material, error);
-    fvi_rheology_work_free(&o);
+    fvi_rheology_free(&o);
     return status;
 }

@@ -1,6 +1,6 @@
 /* src/estimation/rheology_answer.c -- Compute what the data say of a law: estimates, deviations, intervals, flags.
  * [H 24] */
-#include "rheology_answer.h"
+#include "rheology_search.h"
 
 #include "system/larger.h"
 
@@ -62,11 +62,10 @@ static double bound(const number *v, double value)
 /* ---- standard deviations ---- */
 
 /* Compute J^T J at z with columns of length 1. Rows and columns of unused numbers are those of the unit matrix. */
-static void metric(const fvi_rheology_work *o, const int *is_used, double A[][FVI_LAW_MOST],
-                   double *length)
+static void metric(const fvi_rheology *o, const int *is_used, double A[][FVI_LAW_MOST], double *length)
 {
-    const size_t P = o->model.elements + o->model.shapes, rows = o->model.rows;
-    fvi_rheology_products(rows, P, o->J, A);
+    const size_t P = o->elements + o->shapes;
+    fvi_rheology_products(o, 0, P, A);
     for (size_t i = 0; i < P; i++)
         length[i] = is_used[i] && A[i][i] > 0 ? sqrt(A[i][i]) : 1;
     for (size_t i = 0; i < P; i++)
@@ -102,7 +101,7 @@ static int is_singular(size_t P, double A[][FVI_LAW_MOST])
 /* ---- profiles ---- */
 
 typedef struct {
-    fvi_rheology_work *work;
+    fvi_rheology *model;
     number v;
     double value, least, sigma, reach; /* value, sum of squares and sigma of the fit; the quantile */
     double z[FVI_LAW_MOST];            /* last place of the other numbers */
@@ -111,8 +110,7 @@ typedef struct {
 /* (24.11): return the root of the increase of chi^2 if the number has this value. */
 static double excess(profile *p, double value)
 {
-    const double sum =
-        fvi_rheology_descend(p->work, number_of, &p->v, value, p->z);
+    const double sum = fvi_rheology_descend(p->model, number_of, &p->v, value, p->z);
     return sum < INFINITY ? sqrt(fmax(0, sum - p->least)) / p->sigma : INFINITY;
 }
 
@@ -120,7 +118,7 @@ static double excess(profile *p, double value)
  * falsi. */
 static double find_edge(profile *p, const double *z, double step)
 {
-    const size_t P = p->work->model.elements + p->work->model.shapes;
+    const size_t P = p->model->elements + p->model->shapes;
     const int order = !is_size(&p->v);
     const double most = most_of(&p->v);
     double inside = p->value, low = 0, outside = inside, high = 0;
@@ -161,14 +159,14 @@ static double find_edge(profile *p, const double *z, double step)
 
 /* Find the interval of number v. Data that the law repeats to the last digit leave no noise, and then the interval is
  * the estimate alone. sd is the standard deviation of ln v, or of v if it is an order or an exponent. */
-static void interval(fvi_rheology_work *o, const number *v, const double *z, double least,
+static void interval(fvi_rheology *o, const number *v, const double *z, double least,
                      double sd, fvi_material *a, size_t j)
 {
     if (a->sigma == 0) {
         a->lower[j] = a->upper[j] = a->estimate[j];
         return;
     }
-    profile p = { .work = o,
+    profile p = { .model = o,
                   .v = *v,
                   .value = number_of(v, z, NULL),
                   .least = least,
@@ -240,30 +238,28 @@ static void set_unneeded(const number *v, fvi_material *a, size_t j)
     a->upper[j] = most_of(v);
 }
 
-void fvi_rheology_answer(fvi_rheology_work *o, const double *z, double sum, fvi_material *a)
+void fvi_rheology_answer(fvi_rheology *o, const double *z, double sum, fvi_material *a)
 {
-    const fvi_rheology *m = &o->model;
-    const size_t E = m->elements, P = E + m->shapes;
+    const size_t E = o->elements, P = E + o->shapes;
     double A[FVI_LAW_MOST][FVI_LAW_MOST], length[FVI_LAW_MOST], g[FVI_LAW_MOST];
     int is_used[FVI_LAW_MOST];
     size_t used = 0;
     for (size_t n = 0; n < E; n++) {
-        const size_t end = n + 1 < E ? m->at[n + 1] : m->shapes;
         is_used[n] = z[n] > -INFINITY;
         a->flags |= is_used[n] ? 0 : FVI_MATERIAL_ZERO;
-        for (size_t j = m->at[n]; j < end; j++)
+        for (size_t j = o->at[n]; j < o->at[n + 1]; j++)
             is_used[E + j] = is_used[n];
-        used += is_used[n] ? 1 + end - m->at[n] : 0;
+        used += is_used[n] ? 1 + o->at[n + 1] - o->at[n] : 0;
     }
-    fvi_rheology_residuals(&o->model, z, o->r, o->J);
-    statistics(m, used, sum, o->r, a);
+    fvi_rheology_residuals(o, z, o->r, 1);
+    statistics(o, used, sum, o->r, a);
     metric(o, is_used, A, length);
     if (is_singular(P, A))
         a->flags |= FVI_MATERIAL_SINGULAR;
     for (size_t n = 0; n < E; n++) {
         const size_t first = a->numbers;
-        for (size_t i = 0; fvi_element_number(m->data->kind[n], i, NULL); i++) {
-            const number v = { m, n, i };
+        for (size_t i = 0; fvi_element_number(o->data->kind[n], i, NULL); i++) {
+            const number v = { o, n, i };
             const size_t j = a->numbers++;
             a->estimate[j] = bound(&v, number_of(&v, z, g));
             if (!is_used[n] || a->flags & FVI_MATERIAL_SINGULAR) {
@@ -274,9 +270,9 @@ void fvi_rheology_answer(fvi_rheology_work *o, const double *z, double sum, fvi_
             a->sd[j] = sd * (is_size(&v) ? a->estimate[j] : 1);
             interval(o, &v, z, sum, sd, a, j);
         }
-        a->term[n] = fvi_element_term(m->data->kind[n], a->estimate + first);
+        a->term[n] = fvi_element_term(o->data->kind[n], a->estimate + first);
     }
-    raise_flags(m, z, a);
+    raise_flags(o, z, a);
 }
 
 /* ---- words ---- */

@@ -79,6 +79,7 @@ static void fill_box(fvi_rheology *o)
             o->scale[j] = is_size ? 1 : 0.1;
         }
     }
+    o->at[o->elements] = o->shapes;
 }
 
 int fvi_rheology_alloc(const fvi_material_data *d, fvi_rheology *o)
@@ -90,7 +91,7 @@ int fvi_rheology_alloc(const fvi_material_data *d, fvi_rheology *o)
     const size_t shapes = o->shapes, columns = o->rows * (o->elements + shapes),
                  complexes = nodes * (3 + 1 + o->elements + FVI_ELEMENT_SHAPE * o->elements);
     o->block = malloc(complexes * sizeof(double complex)
-                      + (columns + 2 * o->rows) * sizeof(double) + n * sizeof(size_t));
+                      + (columns + 4 * o->rows) * sizeof(double) + n * sizeof(size_t));
     if (!o->block)
         return FVI_ENOMEM;
     o->s = o->block;
@@ -100,7 +101,9 @@ int fvi_rheology_alloc(const fvi_material_data *d, fvi_rheology *o)
     o->phi = o->value + nodes;
     o->unit = (double *)(o->phi + nodes * (1 + FVI_ELEMENT_SHAPE) * o->elements);
     o->y = o->unit + o->rows;
-    o->columns = o->y + o->rows;
+    o->r = o->y + o->rows;
+    o->trial = o->r + o->rows;
+    o->columns = o->trial + o->rows;
     o->first = (size_t *)(o->columns + columns);
     fill_data(o);
     for (size_t i = 0; i < o->nodes; i++)
@@ -150,7 +153,7 @@ static void weigh_function(const fvi_rheology *o, const double complex *F, doubl
     }
 }
 
-static double *column_of(const fvi_rheology *o, size_t j)
+double *fvi_rheology_column(const fvi_rheology *o, size_t j)
 {
     return o->columns + j * o->rows;
 }
@@ -160,24 +163,19 @@ static void fill_columns(fvi_rheology *o, const double *u, int with_slopes)
 {
     fill_shapes(o, u);
     for (size_t n = 0; n < o->elements; n++) {
-        const size_t end = n + 1 < o->elements ? o->at[n + 1] : o->shapes;
-        weigh_function(o, shape_of(o, n, 0), 1, column_of(o, n));
-        for (size_t j = o->at[n]; with_slopes && j < end; j++)
-            weigh_function(o, shape_of(o, n, 1 + j - o->at[n]), 1, column_of(o, o->elements + j));
+        weigh_function(o, shape_of(o, n, 0), 1, fvi_rheology_column(o, n));
+        for (size_t j = o->at[n]; with_slopes && j < o->at[n + 1]; j++)
+            weigh_function(o, shape_of(o, n, 1 + j - o->at[n]), 1, fvi_rheology_column(o, o->elements + j));
     }
 }
 
 /* ---- amplitudes ---- */
 
-void fvi_rheology_products(size_t rows, size_t P, const double *J, double A[][FVI_LAW_MOST])
+void fvi_rheology_products(const fvi_rheology *o, size_t first, size_t P, double A[][FVI_LAW_MOST])
 {
     for (size_t i = 0; i < P; i++)
-        for (size_t j = 0; j <= i; j++) {
-            double sum = 0;
-            for (size_t k = 0; k < rows; k++)
-                sum += J[k * P + i] * J[k * P + j];
-            A[i][j] = A[j][i] = sum;
-        }
+        for (size_t j = 0; j <= i; j++)
+            A[i][j] = A[j][i] = fvi_dot(o->rows, fvi_rheology_column(o, first + i), fvi_rheology_column(o, first + j));
 }
 
 int fvi_rheology_solve(size_t P, double least, double A[][FVI_LAW_MOST], double *b)
@@ -233,10 +231,10 @@ static void solve_amplitudes(const fvi_rheology *o, double *c)
         best = 0, part[FVI_MATERIAL_ELEMENTS];
     const unsigned all = (1u << E) - 1;
     for (size_t i = 0; i < E; i++) {
-        b[i] = fvi_dot(o->rows, column_of(o, i), o->y);
+        b[i] = fvi_dot(o->rows, fvi_rheology_column(o, i), o->y);
         c[i] = 0;
         for (size_t j = 0; j <= i; j++)
-            A[i][j] = A[j][i] = fvi_dot(o->rows, column_of(o, i), column_of(o, j));
+            A[i][j] = A[j][i] = fvi_dot(o->rows, fvi_rheology_column(o, i), fvi_rheology_column(o, j));
     }
     for (unsigned set = all; set > 0; set--) {
         int possible = solve_set(E, set, A, b, part);
@@ -252,50 +250,47 @@ static void solve_amplitudes(const fvi_rheology *o, double *c)
     }
 }
 
-/* Take out of the columns of J their part along the columns with amplitudes, (24.18). */
-static void project_out_amplitudes(fvi_rheology *o, const double *c, double *J)
+/* Take out of the columns of u their part along the columns with amplitudes, (24.18). */
+static void project_out_amplitudes(fvi_rheology *o, const double *c)
 {
     for (size_t n = 0; n < o->elements; n++) { /* make the columns of the amplitudes orthonormal */
-        double *q = column_of(o, n);
+        double *q = fvi_rheology_column(o, n);
         for (int twice = 0; twice < 2; twice++)
             for (size_t k = 0; k < n; k++) {
-                const double along = c[k] > 0 ? fvi_dot(o->rows, column_of(o, k), q) : 0;
+                const double along = c[k] > 0 ? fvi_dot(o->rows, fvi_rheology_column(o, k), q) : 0;
                 for (size_t i = 0; i < o->rows; i++)
-                    q[i] -= along * column_of(o, k)[i];
+                    q[i] -= along * fvi_rheology_column(o, k)[i];
             }
         const double length = sqrt(fvi_dot(o->rows, q, q));
         for (size_t i = 0; i < o->rows && length > 0; i++)
             q[i] /= length;
         for (size_t j = 0; j < o->shapes && c[n] > 0; j++) {
-            double *v = column_of(o, o->elements + j);
+            double *v = fvi_rheology_column(o, o->elements + j);
             const double along = fvi_dot(o->rows, q, v);
             for (size_t i = 0; i < o->rows; i++)
                 v[i] -= along * q[i];
         }
     }
-    for (size_t j = 0; j < o->shapes; j++)
-        for (size_t i = 0; i < o->rows; i++)
-            J[i * o->shapes + j] = column_of(o, o->elements + j)[i];
 }
 
 //> project
-/* (24.18): for given u find the amplitudes by linear least squares. J becomes the part of the slopes by u that no
- * change of the amplitudes can imitate. */
-double fvi_rheology_project(fvi_rheology *o, const double *u, double *c, double *r, double *J)
+/* (24.18): for given u find the amplitudes by linear least squares. The columns of u become the part of the slopes by u
+ * that no change of the amplitudes can imitate. */
+double fvi_rheology_project(fvi_rheology *o, const double *u, double *c, double *r, int with_slopes)
 {
-    fill_columns(o, u, J != NULL);
+    fill_columns(o, u, with_slopes);
     solve_amplitudes(o, c);
     for (size_t i = 0; i < o->rows; i++) {
         r[i] = -o->y[i];
         for (size_t n = 0; n < o->elements; n++)
-            r[i] += c[n] * column_of(o, n)[i];
+            r[i] += c[n] * fvi_rheology_column(o, n)[i];
     }
-    for (size_t n = 0; n < o->elements && J; n++)
-        for (size_t j = o->at[n]; j < (n + 1 < o->elements ? o->at[n + 1] : o->shapes); j++)
+    for (size_t n = 0; n < o->elements && with_slopes; n++)
+        for (size_t j = o->at[n]; j < o->at[n + 1]; j++)
             for (size_t i = 0; i < o->rows; i++)
-                column_of(o, o->elements + j)[i] *= c[n];
-    if (J)
-        project_out_amplitudes(o, c, J);
+                fvi_rheology_column(o, o->elements + j)[i] *= c[n];
+    if (with_slopes)
+        project_out_amplitudes(o, c);
     return fvi_dot(o->rows, r, r);
 }
 //< project
@@ -312,44 +307,38 @@ static void creep_columns(fvi_rheology *o, const double *c, double *r, int with_
         o->value[i] = 1 / C;
     }
     weigh_function(o, o->value, 1, r);
-    for (size_t n = 0; with_slopes && n < o->elements; n++) {
-        const size_t end = n + 1 < o->elements ? o->at[n + 1] : o->shapes;
-        for (size_t k = 0; k <= end - o->at[n]; k++) {
+    for (size_t n = 0; with_slopes && n < o->elements; n++)
+        for (size_t k = 0; k <= o->at[n + 1] - o->at[n]; k++) {
             double complex *slope = shape_of(o, n, k);
             for (size_t i = 0; i < o->nodes; i++)
                 slope[i] *= -o->value[i] * o->value[i];
             weigh_function(o, slope, c[n],
-                           column_of(o, k == 0 ? n : o->elements + o->at[n] + k - 1));
+                           fvi_rheology_column(o, k == 0 ? n : o->elements + o->at[n] + k - 1));
         }
-    }
 }
 
-double fvi_rheology_residuals(fvi_rheology *o, const double *z, double *r, double *J)
+double fvi_rheology_residuals(fvi_rheology *o, const double *z, double *r, int with_slopes)
 {
-    const size_t E = o->elements, P = E + o->shapes;
+    const size_t E = o->elements;
     const double *u = z + E;
     double c[FVI_MATERIAL_ELEMENTS];
     for (size_t n = 0; n < E; n++)
         c[n] = exp(z[n]);
     if (o->data->test == FVI_MATERIAL_CREEP) {
         fill_shapes(o, u);
-        creep_columns(o, c, r, J != NULL);
+        creep_columns(o, c, r, with_slopes);
     } else {
-        fill_columns(o, u, J != NULL);
+        fill_columns(o, u, with_slopes);
         memset(r, 0, o->rows * sizeof *r);
         for (size_t n = 0; n < E; n++) {
-            const size_t end = n + 1 < E ? o->at[n + 1] : o->shapes;
             for (size_t i = 0; i < o->rows; i++)
-                r[i] += column_of(o, n)[i] *= c[n];
-            for (size_t j = E + o->at[n]; J && j < E + end; j++)
+                r[i] += fvi_rheology_column(o, n)[i] *= c[n];
+            for (size_t j = E + o->at[n]; with_slopes && j < E + o->at[n + 1]; j++)
                 for (size_t i = 0; i < o->rows; i++)
-                    column_of(o, j)[i] *= c[n];
+                    fvi_rheology_column(o, j)[i] *= c[n];
         }
     }
-    for (size_t i = 0; i < o->rows; i++) {
+    for (size_t i = 0; i < o->rows; i++)
         r[i] -= o->y[i];
-        for (size_t j = 0; J && j < P; j++)
-            J[i * P + j] = column_of(o, j)[i];
-    }
     return fvi_dot(o->rows, r, r);
 }

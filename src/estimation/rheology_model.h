@@ -47,14 +47,11 @@ void fvi_element_public(fvi_element kind, double ln_c, const double *u,
                         double slope[FVI_ELEMENT_NUMBERS][1 + FVI_ELEMENT_SHAPE]);
 double fvi_element_most(fvi_element kind, size_t i);
 
-/* Compute A = J^T J for `rows` rows of P numbers. */
-void fvi_rheology_products(size_t rows, size_t P, const double *J, double A[][FVI_LAW_MOST]);
-
 /* Solve the P equations A x = b with Cholesky's factors. b becomes x, and A is overwritten. Return 0 if a pivot is not
  * above `least` times its diagonal, else 1. */
 int fvi_rheology_solve(size_t P, double least, double A[][FVI_LAW_MOST], double *b);
 
-/* What is measured, at which s, and how. Residuals are (model - data) / unit. */
+/* What is measured, at which s, and how; and room for a search. Residuals are (model - data) / unit. */
 typedef struct {
     const fvi_material_data *data;
     size_t rows;        /* number of residuals: 2 n for moduli, n otherwise */
@@ -64,25 +61,33 @@ typedef struct {
     size_t *first;      /* first node of time i */
     double *unit, *y;   /* units of the residuals; data divided by them */
     size_t elements, shapes; /* number of amplitudes; number of u */
-    size_t at[FVI_MATERIAL_ELEMENTS]; /* first u of each element */
+    size_t at[FVI_MATERIAL_ELEMENTS + 1]; /* first u of each element; then `shapes` */
     double low[FVI_LAW_SHAPE], high[FVI_LAW_SHAPE]; /* bounds of u */
     double begin[FVI_LAW_SHAPE], end[FVI_LAW_SHAPE]; /* box of the starts */
     double scale[FVI_LAW_SHAPE];
     double complex *phi, *value; /* room: (1 + SHAPE) * elements * nodes; nodes */
     double *columns;             /* room: rows times (elements + shapes) */
+    double *r, *trial;           /* room for a search: residuals, and those of a trial; rows each */
     void *block;
 } fvi_rheology;
 
+/* fvi_rheology_alloc -- Allocate and fill everything that does not depend on z. Return FVI_SUCCESS or FVI_ENOMEM.
+ * fvi_rheology_free -- Free the memory, also after an error. */
 int fvi_rheology_alloc(const fvi_material_data *data, fvi_rheology *o);
 void fvi_rheology_free(fvi_rheology *o);
 
-/* fvi_rheology_project -- Find the best amplitudes for u that are not negative, the residuals with them, and Kaufman's
- * Jacobian (rows by shapes, row by row; NULL is allowed). Only for moduli and relaxation, which are linear in the
- * amplitudes. Return the sum of squares. */
-double fvi_rheology_project(fvi_rheology *o, const double *u, double *c, double *r, double *J);
+/* fvi_rheology_column -- Return column j, `rows` numbers: column n < elements of amplitude n, column elements + j of u_j.
+ * fvi_rheology_products -- Compute A = J^T J, where the columns of J are the P columns from `first` on. */
+double *fvi_rheology_column(const fvi_rheology *o, size_t j);
+void fvi_rheology_products(const fvi_rheology *o, size_t first, size_t P, double A[][FVI_LAW_MOST]);
 
-/* fvi_rheology_residuals -- Compute the residuals and their Jacobian by z, rows by elements + shapes. Return the sum of
- * squares. */
-double fvi_rheology_residuals(fvi_rheology *o, const double *z, double *r, double *J);
+/* fvi_rheology_project -- Find the best amplitudes for u that are not negative, the residuals with them and, if
+ * with_slopes, Kaufman's Jacobian in the columns of u. Only for moduli and relaxation, which are linear in the
+ * amplitudes. Return the sum of squares. */
+double fvi_rheology_project(fvi_rheology *o, const double *u, double *c, double *r, int with_slopes);
+
+/* fvi_rheology_residuals -- Compute the residuals and, if with_slopes, their Jacobian by z in all columns. Return the
+ * sum of squares. */
+double fvi_rheology_residuals(fvi_rheology *o, const double *z, double *r, int with_slopes);
 
 #endif

@@ -1,46 +1,24 @@
 /* src/estimation/rheology_search.c -- Find the least squares of a law.         [H 24] */
 #include "rheology_search.h"
 
-#include <fvi/error.h>
+#include "system/dot.h"
 #include "system/larger.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { ITERATIONS = 150, TRIES = 12 };
 #define LONGEST 2 /* longest step, in units of scale: 0.2 for an order, a factor of 7 for a time */
 #define AMPLITUDES 40 /* largest change of ln c from where it began */
 
-int fvi_rheology_work_alloc(const fvi_material_data *data, fvi_rheology_work *o)
-{
-    *o = (fvi_rheology_work){ .r = NULL };
-    int status = fvi_rheology_alloc(data, &o->model);
-    if (status)
-        return status;
-    const size_t rows = o->model.rows, P = o->model.elements + o->model.shapes;
-    o->block = malloc(rows * (2 + P) * sizeof *o->block);
-    if (!o->block)
-        return FVI_ENOMEM;
-    o->r = o->block;
-    o->trial = o->r + rows;
-    o->J = o->trial + rows;
-    return FVI_SUCCESS;
-}
-
-void fvi_rheology_work_free(fvi_rheology_work *o)
-{
-    fvi_rheology_free(&o->model);
-    free(o->block);
-}
-
 /* ---- one problem, of u alone or of z ---- */
 
-/* P numbers x within bounds. `evaluate` computes residuals and Jacobian. */
+/* P numbers x within bounds. `evaluate` computes residuals and Jacobian, whose columns are those of the model from
+ * `first` on. */
 typedef struct {
-    fvi_rheology_work *work;
+    fvi_rheology *model;
     int projects; /* nonzero: x is u, and the best amplitudes are found for each u */
-    size_t P;
+    size_t P, first;
     double low[FVI_LAW_MOST], high[FVI_LAW_MOST], scale[FVI_LAW_MOST];
     double c[FVI_MATERIAL_ELEMENTS];
     fvi_rheology_constraint *v;
@@ -48,25 +26,21 @@ typedef struct {
     double target;
 } problem;
 
-static double evaluate(problem *p, const double *x, double *r, double *J)
+static double evaluate(problem *p, const double *x, double *r, int with_slopes)
 {
-    fvi_rheology *m = &p->work->model;
-    const double sum = p->projects ? fvi_rheology_project(m, x, p->c, r, J)
-                                   : fvi_rheology_residuals(m, x, r, J);
+    const double sum = p->projects ? fvi_rheology_project(p->model, x, p->c, r, with_slopes)
+                                   : fvi_rheology_residuals(p->model, x, r, with_slopes);
     return isfinite(sum) ? sum : INFINITY;
 }
 
-/* Compute the normal equations from r and J. A number at a bound stays there if the descent would leave the bounds. */
+/* Compute the normal equations from residuals and Jacobian. A number at a bound stays there if the descent would leave the bounds. */
 static void normal_equations(const problem *p, const double *x, double A[][FVI_LAW_MOST],
                              double *b, int *stays)
 {
-    const fvi_rheology_work *o = p->work;
-    const size_t P = p->P, rows = o->model.rows;
-    fvi_rheology_products(rows, P, o->J, A);
-    for (size_t i = 0; i < P; i++) {
-        b[i] = 0;
-        for (size_t k = 0; k < rows; k++)
-            b[i] -= o->J[k * P + i] * o->r[k];
+    const fvi_rheology *o = p->model;
+    fvi_rheology_products(o, p->first, p->P, A);
+    for (size_t i = 0; i < p->P; i++) {
+        b[i] = -fvi_dot(o->rows, fvi_rheology_column(o, p->first + i), o->r);
         stays[i] = (x[i] <= p->low[i] && b[i] < 0) || (x[i] >= p->high[i] && b[i] > 0);
     }
 }
@@ -129,7 +103,7 @@ static void project_on_constraint(const problem *p, double *x)
 /* Make a step that does not increase the sum. Return 0 if none is found. */
 static int advance(problem *p, double *x, double *sum, double *lambda, double *change)
 {
-    fvi_rheology_work *o = p->work;
+    fvi_rheology *o = p->model;
     double A[FVI_LAW_MOST][FVI_LAW_MOST], b[FVI_LAW_MOST], g[FVI_LAW_MOST] = { 0 },
         step[FVI_LAW_MOST];
     int stays[FVI_LAW_MOST];
@@ -142,14 +116,14 @@ static int advance(problem *p, double *x, double *sum, double *lambda, double *c
                 next[i] = x[i] + fmin(fmax(step[i], -LONGEST * p->scale[i]), LONGEST * p->scale[i]);
             clip_to_bounds(p, next);
             project_on_constraint(p, next);
-            const double there = evaluate(p, next, o->trial, NULL);
+            const double there = evaluate(p, next, o->trial, 0);
             if (there <= *sum * (1 + 1e-14)) {
                 *change = 0;
                 for (size_t i = 0; i < p->P; i++)
                     *change = larger(*change, fabs(next[i] - x[i]) / p->scale[i]);
                 memcpy(x, next, p->P * sizeof *x);
                 *lambda = fmax(*lambda / 10, 1e-15);
-                *sum = evaluate(p, x, o->r, o->J);
+                *sum = evaluate(p, x, o->r, 1);
                 return 1;
             }
         }
@@ -163,7 +137,7 @@ static double descend(problem *p, double *x)
     double lambda = 1e-2, change = INFINITY;
     clip_to_bounds(p, x);
     project_on_constraint(p, x);
-    double sum = evaluate(p, x, p->work->r, p->work->J);
+    double sum = evaluate(p, x, p->model->r, 1);
     for (int i = 0; i < ITERATIONS && sum < INFINITY; i++) {
         const double before = sum;
         if (!advance(p, x, &sum, &lambda, &change))
@@ -183,19 +157,19 @@ static void bound_shapes(const fvi_rheology *m, size_t from, problem *p)
     memcpy(p->scale + from, m->scale, m->shapes * sizeof *m->scale);
 }
 
-static problem problem_of_all(fvi_rheology_work *o, const double *z)
+static problem problem_of_all(fvi_rheology *o, const double *z)
 {
-    problem p = { .work = o, .P = o->model.elements + o->model.shapes };
-    for (size_t n = 0; n < o->model.elements; n++) {
+    problem p = { .model = o, .P = o->elements + o->shapes };
+    for (size_t n = 0; n < o->elements; n++) {
         p.low[n] = z[n] - AMPLITUDES;
         p.high[n] = z[n] + AMPLITUDES;
         p.scale[n] = 1;
     }
-    bound_shapes(&o->model, o->model.elements, &p);
+    bound_shapes(o, o->elements, &p);
     return p;
 }
 
-double fvi_rheology_descend(fvi_rheology_work *o, fvi_rheology_constraint *v, const void *params,
+double fvi_rheology_descend(fvi_rheology *o, fvi_rheology_constraint *v, const void *params,
                             double target, double *z)
 {
     problem p = problem_of_all(o, z);
@@ -206,35 +180,33 @@ double fvi_rheology_descend(fvi_rheology_work *o, fvi_rheology_constraint *v, co
 }
 
 /* Multiply all amplitudes by one factor, by which creep is divided. The factor follows from linear least squares. */
-static void scale_creep(fvi_rheology_work *o, double *z)
+static void scale_creep(fvi_rheology *o, double *z)
 {
-    fvi_rheology *m = &o->model;
     double xy = 0, xx = 0;
-    fvi_rheology_residuals(m, z, o->r, NULL);
-    for (size_t i = 0; i < m->rows; i++) {
-        const double x = o->r[i] + m->y[i];
-        xy += x * m->y[i];
+    fvi_rheology_residuals(o, z, o->r, 0);
+    for (size_t i = 0; i < o->rows; i++) {
+        const double x = o->r[i] + o->y[i];
+        xy += x * o->y[i];
         xx += x * x;
     }
-    for (size_t n = 0; n < m->elements; n++)
+    for (size_t n = 0; n < o->elements; n++)
         z[n] -= xy > 0 && xx > 0 ? log(xy / xx) : 0;
 }
 
-double fvi_rheology_search(fvi_rheology_work *o, const double *u, const double *random, double *z)
+double fvi_rheology_search(fvi_rheology *o, const double *u, const double *random, double *z)
 {
-    const fvi_rheology *m = &o->model;
-    const size_t E = m->elements;
-    memcpy(z + E, u, m->shapes * sizeof *u);
-    if (m->data->test == FVI_MATERIAL_CREEP) {
+    const size_t E = o->elements;
+    memcpy(z + E, u, o->shapes * sizeof *u);
+    if (o->data->test == FVI_MATERIAL_CREEP) {
         for (size_t n = 0; n < E; n++)
             z[n] = 6 * random[n] - 3;
         scale_creep(o, z);
         return fvi_rheology_descend(o, NULL, NULL, 0, z);
     }
-    problem p = { .work = o, .projects = 1, .P = m->shapes };
-    bound_shapes(m, 0, &p);
+    problem p = { .model = o, .projects = 1, .P = o->shapes, .first = E };
+    bound_shapes(o, 0, &p);
     const double sum = descend(&p, z + E);
-    fvi_rheology_project(&o->model, z + E, p.c, o->r, NULL);
+    fvi_rheology_project(o, z + E, p.c, o->r, 0);
     for (size_t n = 0; n < E; n++)
         z[n] = log(p.c[n]); /* minus infinity for an amplitude of 0: the element is not needed */
     return sum;

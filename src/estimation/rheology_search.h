@@ -6,27 +6,21 @@
 
 #include "rheology_model.h"
 
-/* The model, and room for residuals and a Jacobian. */
-typedef struct {
-    fvi_rheology model;
-    double *r, *trial, *J; /* rows; rows; rows by P */
-    double *block;
-} fvi_rheology_work;
-
-int fvi_rheology_work_alloc(const fvi_material_data *data, fvi_rheology_work *o);
-void fvi_rheology_work_free(fvi_rheology_work *o);
-
 /* fvi_rheology_search -- Search from a start u, with amplitudes of the size of the data, for the nearest minimum z.
  * Return the sum of squares, infinite if the search leads nowhere. random: a number from 0 to 1 for each amplitude;
  * only for creep. */
-double fvi_rheology_search(fvi_rheology_work *o, const double *u, const double *random, double *z);
+double fvi_rheology_search(fvi_rheology *o, const double *u, const double *random, double *z);
 
 /* A constraint v(z) = target. The function returns v and writes its slope by z; slope may be NULL. */
 typedef double fvi_rheology_constraint(const void *params, const double *z, double *slope);
 
 /* fvi_rheology_descend -- Search downhill from z in all numbers, or on v(z) = target if v is not NULL. Return the sum
  * of squares. */
-double fvi_rheology_descend(fvi_rheology_work *o, fvi_rheology_constraint *v, const void *params,
+double fvi_rheology_descend(fvi_rheology *o, fvi_rheology_constraint *v, const void *params,
                             double target, double *z);
+
+/* fvi_rheology_answer -- Fill in everything of *answer at z, where the sum of squares is `sum`. starts and agree have
+ * been set before. */
+void fvi_rheology_answer(fvi_rheology *o, const double *z, double sum, fvi_material *answer);
 
 #endif

@@ -90,23 +90,23 @@ static void add_noise(gsl_rng *random, question *q)
 /* Return how many of 50 random starts end at the least sum. */
 static int arrivals(gsl_rng *random, const question *q)
 {
-    fvi_rheology_work o;
+    fvi_rheology o;
     double sum[FROM], least = GSL_POSINF;
     int arrived = 0;
-    if (fvi_rheology_work_alloc(&q->data, &o))
+    if (fvi_rheology_alloc(&q->data, &o))
         return 0;
     for (int k = 0; k < FROM; k++) {
         double u[FVI_LAW_SHAPE], of_creep[FVI_MATERIAL_ELEMENTS], z[FVI_LAW_MOST];
-        for (size_t j = 0; j < o.model.shapes; j++)
-            u[j] = stress_uniform(random, o.model.begin[j], o.model.end[j]);
-        for (size_t n = 0; n < o.model.elements; n++)
+        for (size_t j = 0; j < o.shapes; j++)
+            u[j] = stress_uniform(random, o.begin[j], o.end[j]);
+        for (size_t n = 0; n < o.elements; n++)
             of_creep[n] = gsl_rng_uniform(random);
         sum[k] = fvi_rheology_search(&o, u, of_creep, z);
         least = smaller(least, sum[k]);
     }
     for (int k = 0; k < FROM; k++)
         arrived += sum[k] <= least * (1 + 1e-6);
-    fvi_rheology_work_free(&o);
+    fvi_rheology_free(&o);
     return arrived;
 }
 
