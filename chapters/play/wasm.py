@@ -18,7 +18,7 @@ MODULES = """band error expression expression_parse expression_values lu newton 
 ABSENT = """fvi_kernel_at fvi_kernel_check fvi_kernel_growth fvi_kernel_history fvi_kernel_symbol
     fvi_kernel_of_function fvi_kernel_takes_caputo fvi_shifted_symbol
     fvi_lobatto_kernel_free fvi_lobatto_kernel_few_nodes fvi_lobatto_kernel_prepare fvi_lobatto_kernel_weights
-    fvi_events_check fvi_lobatto_matrices_start fvi_mechanism_start fvi_damping_begin_matrices fvi_damping_multiply fvi_check_dampers_of_matrices
+    fvi_events_check fvi_lobatto_matrices_start fvi_mechanism_start fvi_damping_begin_matrices fvi_check_dampers_of_matrices
     fvi_impulses_of_kernel_alloc fvi_impulses_of_kernel_at fvi_impulses_of_kernel_at_stages fvi_impulses_of_kernel_copy fvi_impulses_of_kernel_free
     fvi_stability_of_matrices
     gsl_complex_abs gsl_eigen_nonsymm gsl_eigen_nonsymm_alloc gsl_eigen_nonsymm_free

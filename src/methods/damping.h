@@ -41,11 +41,6 @@ int fvi_damping_velocity(const fvi_system *system, const double *p, double *v);
 int fvi_damping_begin_matrices(const fvi_stepper *s, fvi_initial_history past,
                                fvi_damping *damping);
 
-/* fvi_damping_multiply -- Compute y += factor C x, d numbers each. Return FVI_SUCCESS; FVI_ENOMEM; or
- * the code of the matrix. */
-int fvi_damping_multiply(const fvi_damping_matrix *C, size_t d, double factor,
-                         const double *x, double *y);
-
 /* fvi_damping_gather -- Write the history numbers of x to z: x_i - from_i of the damped coordinates, or B^T x - from
  * with matrices. Return FVI_SUCCESS, or the code of select_history. */
 int fvi_damping_gather(const fvi_damping *damping, const double *x,

@@ -1,8 +1,6 @@
 /* src/methods/damping_matrices.c -- Start the dampers of a run with matrices.  [H 27] */
 #include "damping.h"
-#include "system/fail.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 int fvi_damping_begin_matrices(const fvi_stepper *s, fvi_initial_history past,
@@ -25,20 +23,5 @@ int fvi_damping_begin_matrices(const fvi_stepper *s, fvi_initial_history past,
     if (!status)
         status = fvi_damping_gather(d, s->x, d->origin, d->dz);
     memcpy(d->z, d->dz, d->count * sizeof *d->z);
-    return status;
-}
-
-int fvi_damping_multiply(const fvi_damping_matrix *C, size_t d, double factor,
-                         const double *x, double *y)
-{
-    if (C->history_size == 0)
-        return FVI_SUCCESS;
-    double *z = calloc(2 * C->history_size, sizeof *z);
-    if (!z)
-        FVI_FAIL("no memory for a product with C", FVI_ENOMEM);
-    int status = C->select_history(d, x, z + C->history_size, C->params, z);
-    if (!status)
-        status = C->apply_damping(d, -factor, z, C->params, y);
-    free(z);
     return status;
 }

@@ -1,23 +1,14 @@
 /* src/run/solution.c -- Check whether a motion exists that starts as the run does. [H 19, 27] */
 #include "solution.h"
 #include <fvi/dampers.h>
+#include "run_damper.h"
 #include "system/all_zero.h"
+#include "system/arrays.h"
 #include "system/fail.h"
 #include "system/larger.h"
 
 #include <math.h>
 #include <stdlib.h>
-
-/* Write C x0 = S B^T x0 to y. z is room for B^T x0 and has as many zeros behind it. */
-static int damping_of_start(const fvi_run *run, double *y, double *z)
-{
-    const fvi_matrices *m = run->system->matrices;
-    const size_t d = run->system->d;
-    int status = m->select_history(d, run->x0, z + m->history_size, m->params, z);
-    if (!status)
-        status = m->apply_damping(d, -1, z, m->params, y);
-    return status;
-}
 
 /* Return nonzero if y = C x0 is more than rounding errors. C here is the diagonal of the matrix. */
 static int is_above_rounding(const fvi_run *run, const double *C, const double *y)
@@ -31,49 +22,35 @@ static int is_above_rounding(const fvi_run *run, const double *C, const double *
     return is_damped;
 }
 
-int fvi_run_start_is_damped(const fvi_run *run, int *is_damped)
+/* Find out whether C x0 is more than rounding errors. If `diagonal` is NULL, C is asked for its diagonal. If C does not
+ * know it, C x0 must be exactly zero. */
+static int acts_on_start(const fvi_run *run, const fvi_damping_matrix *C, const double *diagonal, int *acts)
 {
-    const fvi_system *system = run->system;
-    const size_t d = system->d;
-    *is_damped = 0;
-    if (!system->matrices) {
-        for (size_t i = 0; i < d; i++)
-            *is_damped |= system->damping[i] > 0 && run->x0[i] != 0;
-        return FVI_SUCCESS;
-    }
-    const size_t r = system->matrices->history_size;
-    if (r == 0)
-        return FVI_SUCCESS;
-    double *y = calloc(d + 2 * r, sizeof *y);
-    if (!y)
+    const size_t d = run->system->d;
+    double *y, *own_diagonal, *block = FVI_ARRAYS({ &y, d }, { &own_diagonal, d });
+    if (!block)
         FVI_FAIL("no memory for C x0", FVI_ENOMEM);
-    const int status = damping_of_start(run, y, y + d);
-    if (!status)
-        *is_damped = is_above_rounding(run, system->damping, y);
-    free(y);
+    int status = fvi_damping_multiply(C, d, 1, run->x0, y);
+    if (!status && !diagonal && C->diagonal) {
+        status = C->diagonal(d, C->params, own_diagonal);
+        diagonal = own_diagonal;
+    }
+    *acts = !status && (diagonal ? is_above_rounding(run, diagonal, y) : !fvi_all_zero(d, y));
+    free(block);
     return status;
 }
 
-/* For a system with matrices: set *is_stretched to 1 if C_j x0 of damper j is not 0. */
-static int is_matrix_stretched(const fvi_run *run, size_t j, int *is_stretched)
+int fvi_run_start_is_damped(const fvi_run *run, int *is_damped)
 {
-    const fvi_damping_matrix *C = &run->system->matrices->damper[j];
-    const size_t d = run->system->d, r = C->history_size;
-    *is_stretched = 0;
-    if (C->history_size == 0)
-        return FVI_SUCCESS;
-    double *y = calloc(2 * d + 2 * r, sizeof *y);
-    if (!y)
-        FVI_FAIL("no memory for C x0", FVI_ENOMEM);
-    double *diagonal = y + d, *z = diagonal + d;
-    int status = C->select_history(d, run->x0, z + r, C->params, z);
-    if (!status)
-        status = C->apply_damping(d, -1, z, C->params, y);
-    if (!status && C->diagonal)
-        status = C->diagonal(d, C->params, diagonal);
-    *is_stretched = C->diagonal ? is_above_rounding(run, diagonal, y) : !fvi_all_zero(d, y);
-    free(y);
-    return status;
+    const fvi_system *system = run->system;
+    if (system->matrices) {
+        const fvi_damping_matrix C = fvi_whole_damping(system->matrices);
+        return acts_on_start(run, &C, system->damping, is_damped);
+    }
+    *is_damped = 0;
+    for (size_t i = 0; i < system->d; i++)
+        *is_damped |= system->damping[i] > 0 && run->x0[i] != 0;
+    return FVI_SUCCESS;
 }
 
 /* The elongation z at x0, and the size of its terms: the sum of |dg/dx_i x0_i| with the gradient at x0. */
@@ -102,7 +79,7 @@ int fvi_damper_is_stretched(const fvi_run *run, size_t j, int *is_stretched)
 {
     double z = 0, size = 0;
     if (run->system->matrices)
-        return is_matrix_stretched(run, j, is_stretched);
+        return acts_on_start(run, &run->system->matrices->damper[j], NULL, is_stretched);
     const int status = find_elongation(run, &run->system->mechanism->damper[j].of, &z, &size);
     *is_stretched = !status && !(fabs(z) <= FVI_ROUNDING_SHARE * size);
     return status;
