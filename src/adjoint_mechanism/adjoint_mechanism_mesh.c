@@ -15,20 +15,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The beginning and the length of a step. If an impulse acts at its end, or if there are constraints, v there is
- * computed from p, and is not the last V. */
-typedef struct {
-    double t;
-    fvi_length length;
-    int solves_velocity;
-} mesh_step;
-
 struct fvi_adjoint_mesh {
     const fvi_variable_rule *rule;
-    mesh_step *step;
-    size_t steps, room, row;  /* row: the next row that J's slopes are asked for */
-    double *rows, *p;         /* x in the rows; p at the end */
-    double *source, *by_v, *by_x, *Jx, *Jp; /* s d, then d each; owned, one block */
+    fvi_recorded_steps path;  /* its stepper is that of the adjoint run */
+    size_t row;               /* the next row that J's slopes are asked for */
+    double *source, *by_v, *by_x, *Jx, *Jp, *Jk; /* s d, then d each; owned, one block */
     double W[FVI_LANES * FVI_LANES];
     fvi_mesh_damper *adjoint; /* the histories of the dampers of the adjoint run, r; owned */
 };
@@ -60,15 +51,16 @@ int fvi_adjoint_mesh_check(const fvi_run *run, const fvi_objective *J, const fvi
 static int start(fvi_adjoint_mechanism *m)
 {
     struct fvi_adjoint_mesh *mesh = m->mesh;
-    int status = fvi_stepper_start(&fvi_variable_step, m->run, &m->stepper, NULL);
+    int status = fvi_recorded_steps_start(m->run, 0, &mesh->path);
     if (status)
         return status;
+    m->stepper = mesh->path.stepper;
     fvi_variable_step_state *of = m->stepper->method_state;
     fvi_mechanism_state *o = m->o = m->stepper->mechanism;
     m->r = o->r;
     m->s = o->s;
     m->n = o->n;
-    m->row = 2 * m->d + m->n + m->r * m->s + o->m;
+    mesh->path.size = 2 * m->d + m->n + m->r * m->s + o->m;
     mesh->rule = of->rule;
     mesh->row = m->run->steps;
     if (o->any_massless)
@@ -77,10 +69,9 @@ static int start(fvi_adjoint_mechanism *m)
                  FVI_EUNSUP);
     status = fvi_adjoint_mechanism_allocate(m);
     mesh->adjoint = calloc(m->r + 1, sizeof *mesh->adjoint);
-    mesh->rows = malloc((m->run->steps + 2) * m->d * sizeof *mesh->rows);
     mesh->source = FVI_ARRAYS({ &mesh->source, m->s * m->d }, { &mesh->by_v, m->d }, { &mesh->by_x, m->d },
-                              { &mesh->Jx, m->d }, { &mesh->Jp, m->d });
-    if (!status && (!mesh->adjoint || !mesh->rows || !mesh->source))
+                              { &mesh->Jx, m->d }, { &mesh->Jp, m->d }, { &mesh->Jk, m->d });
+    if (!status && (!mesh->adjoint || !mesh->source))
         FVI_FAIL("no memory for the rows of the run", FVI_ENOMEM);
     if (status)
         return status;
@@ -99,79 +90,44 @@ static int start(fvi_adjoint_mechanism *m)
     return status;
 }
 
-/* Write v at the stepper's time, and the impulse w of the constraints without that of the last stage. (29.4) */
-static void store_velocity(const fvi_adjoint_mechanism *m, double *to)
+/* Write x and v at the stepper's time, and the impulse w of the constraints without that of the last stage, to `last`.
+ * (29.4) */
+static void store_node(const fvi_adjoint_mechanism *m)
 {
     const fvi_mechanism_state *o = m->o;
-    memcpy(to, o->v, m->d * sizeof *to);
+    const size_t d = m->d;
+    memcpy(m->last, m->stepper->x, d * sizeof *m->last);
+    memcpy(m->last + d, o->v, d * sizeof *m->last);
     for (size_t l = 0; l < o->m; l++)
-        to[m->d + l] = o->h > 0 ? o->h * o->rule->b[m->s - 1] * o->ended[l]
-                                      - o->u[m->s * m->d + (m->s - 1) * o->m + l] / o->h
-                                : 0;
+        m->last[2 * d + l] = o->h > 0 ? o->h * o->rule->b[m->s - 1] * o->ended[l]
+                                            - o->u[m->s * d + (m->s - 1) * o->m + l] / o->h
+                                      : 0;
 }
 
-/* Record the last step: x_k, u and the known forces. It began at x; the velocity and the impulse w stand behind x. */
-static int record_step(fvi_adjoint_mechanism *m, const double *x, int is_hit)
+/* Record the last step: x_k, u and the known forces, and v and w at its beginning. */
+static void record_step(void *params, double *to)
 {
-    struct fvi_adjoint_mesh *mesh = m->mesh;
-    const fvi_variable_step_state *of = m->stepper->method_state;
-    if (mesh->steps == mesh->room) {
-        const size_t room = mesh->room ? 2 * mesh->room : 64;
-        mesh_step *step = realloc(mesh->step, room * sizeof *step);
-        if (step)
-            mesh->step = step;
-        double *numbers = realloc(m->record, room * m->row * sizeof *numbers);
-        if (numbers)
-            m->record = numbers;
-        if (!step || !numbers)
-            FVI_FAIL("no memory for the steps", FVI_ENOMEM);
-        mesh->room = room;
-    }
-    double *to = m->record + mesh->steps * m->row;
-    mesh->step[mesh->steps++] = (mesh_step){ of->t0, of->length, is_hit || m->o->m };
-    memcpy(to, x, m->d * sizeof *to);
-    memcpy(to + m->d, m->o->u, m->n * sizeof *to);
-    memcpy(to + m->d + m->n, m->o->known, m->r * m->s * sizeof *to);
-    memcpy(to + m->row - m->d - m->o->m, x + m->d, (m->d + m->o->m) * sizeof *to);
-    return FVI_SUCCESS;
+    const fvi_adjoint_mechanism *m = params;
+    const size_t d = m->d, forces = m->r * m->s;
+    memcpy(to, m->last, d * sizeof *to);
+    memcpy(to + d, m->o->u, m->n * sizeof *to);
+    memcpy(to + d + m->n, m->o->known, forces * sizeof *to);
+    memcpy(to + d + m->n + forces, m->last + d, (d + m->o->m) * sizeof *to);
+    store_node(m);
 }
 
-static int run_forwards(fvi_adjoint_mechanism *m)
+/* Return nonzero if v at the end of step n is computed from p, and is not the last V: an impulse acts there, or there
+ * are constraints. */
+static int solves_velocity(const fvi_adjoint_mechanism *m, size_t n)
 {
-    struct fvi_adjoint_mesh *mesh = m->mesh;
-    fvi_stepper *s = m->stepper;
-    const size_t d = m->d, N = m->run->steps;
-    const fvi_variable_step_state *of = s->method_state;
-    const double T = of->T;
-    double *begin = m->last; /* x, v, w */
-    int status = FVI_SUCCESS;
-    memcpy(mesh->rows, s->x, d * sizeof *s->x);
-    for (size_t k = 1; k <= N && !status;) {
-        memcpy(begin, s->x, d * sizeof *begin);
-        store_velocity(m, begin + d);
-        const size_t hits = of->hits;
-        status = fvi_stepper_step(s);
-        if (!status)
-            status = record_step(m, begin, of->hits > hits);
-        for (; !status && k <= N; k++) {
-            const double t = fmin((double)k * m->run->h, T);
-            if (t > s->t)
-                break;
-            status = fvi_variable_step_dense(s, t, mesh->rows + k * d, NULL);
-        }
-    }
-    mesh->p = mesh->rows + (N + 1) * d;
-    memcpy(mesh->p, s->p, d * sizeof *s->p);
-    memcpy(begin, s->x, d * sizeof *begin);
-    store_velocity(m, begin + d);
-    return status;
+    return m->mesh->path.step[n].is_hit || m->o->m;
 }
 
 /* Put the stepper back to step n, and linearise its equation at the root. */
 static int restore_step(fvi_adjoint_mechanism *m, size_t n)
 {
-    const mesh_step *step = m->mesh->step + n;
-    const double *from = m->record + n * m->row;
+    const fvi_recorded_step *step = m->mesh->path.step + n;
+    const double *from = m->mesh->path.numbers + n * m->mesh->path.size;
     fvi_stepper *s = m->stepper;
     fvi_variable_step_state *of = s->method_state;
     fvi_mechanism_state *o = m->o;
@@ -192,11 +148,8 @@ static int restore_step(fvi_adjoint_mechanism *m, size_t n)
 static int evaluate_row_slopes(fvi_adjoint_mechanism *m, size_t k)
 {
     struct fvi_adjoint_mesh *mesh = m->mesh;
-    const int is_last = k == m->run->steps;
-    memset(mesh->Jx, 0, 2 * m->d * sizeof *mesh->Jx);
-    const int status = m->J->slopes(k, m->d, mesh->rows + k * m->d, is_last ? mesh->p : NULL,
-                                    m->J->params, mesh->Jx, is_last ? mesh->Jp : NULL);
-    for (size_t j = 0; is_last && j < m->d; j++)
+    const int status = fvi_recorded_steps_slopes(&mesh->path, m->run, m->J, k, mesh->Jx, mesh->Jp, mesh->Jk);
+    for (size_t j = 0; k == m->run->steps && j < m->d; j++)
         m->beta[j] += mesh->Jp[j];
     return status;
 }
@@ -206,12 +159,12 @@ static int evaluate_row_slopes(fvi_adjoint_mechanism *m, size_t k)
 static int add_rows(fvi_adjoint_mechanism *m, size_t n)
 {
     struct fvi_adjoint_mesh *mesh = m->mesh;
-    const mesh_step *step = mesh->step + n;
+    const fvi_recorded_step *step = mesh->path.step + n;
     const size_t d = m->d, s = m->s;
     const double h = step->length.h;
     int status = FVI_SUCCESS;
     memset(mesh->source, 0, s * d * sizeof *mesh->source);
-    if (!step->solves_velocity)
+    if (!solves_velocity(m, n))
         memcpy(mesh->source + (s - 1) * d, mesh->by_v, d * sizeof *mesh->by_v);
     memset(mesh->by_v, 0, 2 * d * sizeof *mesh->by_v);
     for (; !status && mesh->row > 0; mesh->row--) {
@@ -294,11 +247,12 @@ int fvi_adjoint_mesh_push(fvi_adjoint_mechanism *m)
 static int step_back(fvi_adjoint_mechanism *m, size_t n)
 {
     const size_t d = m->d;
-    const double *x = m->record + n * m->row, *v = x + m->row - d - m->o->m;
+    const fvi_recorded_steps *path = &m->mesh->path;
+    const double *x = path->numbers + n * path->size, *v = x + path->size - d - m->o->m;
     int status = n % 64 == 0 ? fvi_interrupted() : FVI_SUCCESS;
     if (!status)
         status = add_rows(m, n);
-    if (!status && n + 1 == m->mesh->steps && m->o->m)
+    if (!status && n + 1 == path->steps && m->o->m)
         status = fvi_adjoint_mechanism_project(m, m->stepper->t, m->last, m->last + d, m->last + 2 * d, NULL);
     if (!status)
         status = restore_step(m, n);
@@ -308,10 +262,10 @@ static int step_back(fvi_adjoint_mechanism *m, size_t n)
         status = fvi_adjoint_mechanism_stages(m, n);
     for (size_t j = 0; j < d; j++)
         m->g[j] += m->mesh->by_x[j];
-    const int is_projected = n == 0 ? m->o->m > 0 : m->mesh->step[n - 1].solves_velocity;
+    const int is_projected = n == 0 ? m->o->m > 0 : solves_velocity(m, n - 1);
     if (status || !is_projected)
         return status;
-    return fvi_adjoint_mechanism_project(m, m->mesh->step[n].t, x, v, v + d, m->mesh->by_v);
+    return fvi_adjoint_mechanism_project(m, path->step[n].t, x, v, v + d, m->mesh->by_v);
 }
 
 static int finish(fvi_adjoint_mechanism *m)
@@ -342,21 +296,23 @@ static int finish(fvi_adjoint_mechanism *m)
 
 int fvi_adjoint_mesh_run(const fvi_run *run, const fvi_objective *J, const fvi_sensitivities *want)
 {
-    struct fvi_adjoint_mesh mesh = { .steps = 0 };
+    struct fvi_adjoint_mesh mesh = { .row = 0 };
     fvi_adjoint_mechanism m = { .run = run, .want = want, .J = J, .d = run->system->d, .mesh = &mesh };
     int status = start(&m);
-    if (!status)
-        status = run_forwards(&m);
-    for (size_t n = mesh.steps; !status && n-- > 0;)
+    if (!status) {
+        store_node(&m);
+        status = fvi_recorded_steps_go(&mesh.path, record_step, &m);
+    }
+    for (size_t n = mesh.path.steps; !status && n-- > 0;)
         status = step_back(&m, n);
     if (!status)
         status = finish(&m);
     for (size_t e = 0; mesh.adjoint && e < m.r; e++)
         fvi_mesh_free_damper(&mesh.adjoint[e]);
     free(mesh.adjoint);
-    free(mesh.step);
-    free(mesh.rows);
     free(mesh.source);
+    m.stepper = NULL; /* that of the path */
     fvi_adjoint_mechanism_stop(&m);
+    fvi_recorded_steps_free(&mesh.path);
     return status;
 }

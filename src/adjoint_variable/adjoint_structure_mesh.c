@@ -37,7 +37,6 @@ static int start_modes(fvi_adjoint_structure_mesh_run *m)
 {
     fvi_stepper *s = m->path.stepper;
     const size_t bytes = m->d * sizeof(double);
-    m->o = s->method_state;
     m->of = m->o->structure;
     memset(s->x, 0, bytes);
     memset(m->o->v, 0, bytes);
@@ -69,7 +68,8 @@ static int start_order(fvi_adjoint_structure_mesh_run *m)
 
 static int start(fvi_adjoint_structure_mesh_run *m)
 {
-    m->rule = m->path.rule;
+    m->o = m->path.stepper->method_state;
+    m->rule = m->o->rule;
     m->s = m->rule->s;
     m->row = m->run->steps;
     m->count = fvi_run_damper_count(m->run);
@@ -146,7 +146,7 @@ static int add_matrices(fvi_adjoint_structure_mesh_run *m, size_t n)
         for (size_t j = 0; j < d; j++) {
             double moved = m->rule->c[s - 1 - i] * numbers[d + j];
             for (size_t l = 0; l < s; l++)
-                moved += m->path.to_x->column[l][s - 1 - i] * numbers[3 * d + j * FVI_LANES + l];
+                moved += m->o->to_x->column[l][s - 1 - i] * numbers[3 * d + j * FVI_LANES + l];
             m->room[j] = numbers[j] + h * moved;
         }
         status = matrices->stiffness(d, m->room, matrices->params, m->product);

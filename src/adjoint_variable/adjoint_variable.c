@@ -33,48 +33,41 @@ static int allocate(fvi_adjoint_variable_run *m)
     return FVI_SUCCESS;
 }
 
-/* Take the modes of the law for all coordinates from the stepper of the run, and set them to rest. */
-static int start_kernel(fvi_adjoint_variable_run *m)
+/* Give new modes to all coordinates, at rest, or none if no history needs them. */
+static int start_modes(fvi_adjoint_variable_run *m)
 {
-    fvi_variable_step_state *o = m->path.stepper->method_state;
+    fvi_variable_step_state *o = m->o;
     fvi_modes_free(o->modes);
     fvi_modes_free(o->rising);
     o->modes = o->rising = NULL;
     o->damped = m->d;
-    const int status = fvi_variable_step_begin_kernel(o);
-    m->modes = o->modes;
-    m->rising = o->rising;
-    o->modes = o->rising = NULL;
-    return status;
+    if (!m->has_history || (o->beta == 0 && !m->want->alpha))
+        return FVI_SUCCESS;
+    if (o->kernel)
+        return fvi_variable_step_begin_kernel(o);
+    const int status = fvi_modes_alloc(m->rule, o->modes_kind, o->beta, m->d, o->T, o->least, &o->modes);
+    if (status || !m->want->alpha)
+        return status;
+    fvi_variable_present_by_order(m->rule, o->beta, &m->W0_rate);
+    return fvi_modes_add_order(o->modes);
 }
 
 static int start(fvi_adjoint_variable_run *m)
 {
-    const fvi_recorded_steps *path = &m->path;
     const double ones[FVI_LANES] = { 1, 1, 1, 1, 1, 1, 1, 1 };
-    m->rule = path->rule;
+    m->o = m->path.stepper->method_state;
+    m->rule = m->o->rule;
     m->s = m->rule->s;
     m->row = m->run->steps;
-    m->mass_plus_damping = path->beta == 1;
+    m->mass_plus_damping = m->o->beta == 1;
     m->has_history = m->want->damping != NULL;
     for (size_t j = 0; j < m->d; j++)
         m->has_history |= m->run->system->damping[j] > 0;
     m->has_history = m->has_history && (!m->mass_plus_damping || m->want->alpha);
     m->linearised = fvi_linearised_begin(m->run->system, m->s);
-    int status = allocate(m);
-    if (status)
-        return status;
-    fvi_square_apply(m->s, &path->W0, ones, m->W_1);
-    if (!m->has_history || (path->beta == 0 && !m->want->alpha))
-        return FVI_SUCCESS;
-    if (path->stepper)
-        return start_kernel(m);
-    status = fvi_modes_alloc(m->rule, path->modes_kind, path->beta, m->d, path->T,
-                             path->least, &m->modes);
-    if (status || !m->want->alpha)
-        return status;
-    fvi_variable_present_by_order(m->rule, path->beta, &m->W0_rate);
-    return fvi_modes_add_order(m->modes);
+    const int status = allocate(m);
+    fvi_square_apply(m->s, &m->o->W0, ones, m->W_1);
+    return status ? status : start_modes(m);
 }
 
 /* ---- the rows within a step ---- */
@@ -165,7 +158,7 @@ static int read_rows(fvi_adjoint_variable_run *m, size_t n, double *by_v,
 static void accumulate_damping(fvi_adjoint_variable_run *m, const double *numbers, double h)
 {
     const size_t s = m->s, d = m->d;
-    const double now = pow(h, -m->path.beta), *b = m->rule->b;
+    const double now = pow(h, -m->o->beta), *b = m->rule->b;
     for (size_t j = 0; j < d; j++) {
         const double *delta = numbers + 3 * d + j * FVI_LANES;
         const double *Lambda = m->Lambda + j * FVI_LANES,
@@ -174,7 +167,7 @@ static void accumulate_damping(fvi_adjoint_variable_run *m, const double *number
         for (size_t i = 0; i < s; i++) /* V minus the last v before an impulse */
             jump[i] = delta[i] + numbers[2 * d + j];
         fvi_square_apply(s, &m->rule->inverse, jump, bend);
-        fvi_square_apply(s, &m->path.W0, mu, present);
+        fvi_square_apply(s, &m->o->W0, mu, present);
         for (size_t i = 0; i < s; i++) {
             const double V = numbers[d + j] + delta[s - 1 - i] - m->subtracted_velocity[j],
                          all = T[i] + now * present[i];
@@ -192,16 +185,16 @@ static void accumulate_alpha(fvi_adjoint_variable_run *m, size_t j, const double
                        double h)
 {
     const size_t s = m->s;
-    const int above = m->path.beta > 0;
-    const double now = pow(h, -m->path.beta), ln = log(h),
+    const int above = m->o->beta > 0;
+    const double now = pow(h, -m->o->beta), ln = log(h),
                  *delta = numbers + 3 * m->d + j * FVI_LANES;
     double v[FVI_LANES] = { 0 }, rate[FVI_LANES], same[FVI_LANES],
            past[FVI_LANES], sum = 0;
     for (size_t i = 0; i < s; i++)
         v[i] = m->mu[j * FVI_LANES + i] - (above ? m->before[j] : 0);
     fvi_square_apply(s, &m->W0_rate, v, rate);
-    fvi_square_apply(s, &m->path.W0, v, same);
-    fvi_modes_history_by_order(m->modes, j, past);
+    fvi_square_apply(s, &m->o->W0, v, same);
+    fvi_modes_history_by_order(m->o->modes, j, past);
     for (size_t i = 0; i < s; i++)
         sum += m->rule->b[i]
                * (numbers[m->d + j] + delta[s - 1 - i] - m->subtracted_velocity[j])
@@ -238,13 +231,13 @@ static void update_history(fvi_adjoint_variable_run *m)
         const double *mu = m->mu + j * FVI_LANES;
         double v[FVI_LANES] = { 0 };
         for (size_t i = 0; i < m->s; i++)
-            v[i] = mu[i] - (m->path.beta > 0 ? m->before[j] : 0);
-        if (m->modes)
-            fvi_modes_advance(m->modes, j, v, m->before[j]);
-        for (size_t i = 0; m->rising && i < m->s; i++)
+            v[i] = mu[i] - (m->o->beta > 0 ? m->before[j] : 0);
+        if (m->o->modes)
+            fvi_modes_advance(m->o->modes, j, v, m->before[j]);
+        for (size_t i = 0; m->o->rising && i < m->s; i++)
             v[i] -= m->before[j];
-        if (m->rising)
-            fvi_modes_advance(m->rising, j, v, m->before[j]);
+        if (m->o->rising)
+            fvi_modes_advance(m->o->rising, j, v, m->before[j]);
         m->before[j] = mu[m->s - 1];
     }
 }
@@ -304,7 +297,7 @@ static int end(fvi_adjoint_variable_run *m)
                      first = start_jumps ? M + rho : M, v0 = run->p0[j] / first,
                      spring = liouville && run->alpha == 0 ? m->push[j] : 0,
                      by_v0 = m->after[j]
-                             + (m->path.beta > 0 ? fvi_adjoint_variable_damping(m, j)
+                             + (m->o->beta > 0 ? fvi_adjoint_variable_damping(m, j)
                                                        * m->plain[j]
                                                  : 0);
         m->xi[j] += m->Jx[j] - rho * spring;
@@ -313,7 +306,7 @@ static int end(fvi_adjoint_variable_run *m)
         if (want->x0)
             want->x0[j] = m->xi[j];
         if (want->p0) /* the velocity must not jump at the start */
-            want->p0[j] = m->rising && rho > 0 ? NAN : by_v0 / first + m->Jk[j];
+            want->p0[j] = m->o->rising && rho > 0 ? NAN : by_v0 / first + m->Jk[j];
         if (want->terms)
             want->terms[0] -= rho * m->sum[j] / run->law->term[0].rho;
         if (want->mass)
@@ -353,15 +346,13 @@ int fvi_adjoint_variable(const fvi_run *run, const fvi_objective *J,
         status = start(&m);
     if (!status)
         status = fvi_singular_start_adjoint_start(
-            &own, &m.path, m.modes ? fvi_modes_count(m.modes) : 0, &m.singular_start);
+            &own, m.o, &m.singular_start);
     if (!status)
         fvi_adjoint_variable_subtract_velocity(&m);
     for (size_t n = m.path.steps; !status && n-- > 0;)
         status = step_back(&m, n);
     if (!status)
         status = end(&m);
-    fvi_modes_free(m.modes);
-    fvi_modes_free(m.rising);
     fvi_singular_start_adjoint_stop(&m.singular_start);
     fvi_band_free(&m.J_band);
     free(m.block);

@@ -15,6 +15,7 @@ typedef struct {
     const fvi_objective *J;
     const fvi_sensitivities *want;
     fvi_recorded_steps path;
+    fvi_variable_step_state *o; /* of the stepper of the run; its modes become those of the adjoint run */
     const fvi_variable_rule *rule;
     size_t s, d;
     double W_1[FVI_LANES]; /* W0 1; with a law W0 1 of its terms that grow faster than s */
@@ -36,8 +37,6 @@ typedef struct {
     double *G, *X, *r;                /* s Hessians; s d; s d numbers */
     double *hessian_product;          /* s d: entry j of G Lambda at stage i at [i * d + j] */
     double *block;     /* the memory of all these arrays; owned */
-    fvi_modes *modes;  /* NULL: no modes are needed */
-    fvi_modes *rising; /* the modes of the terms of a law that grow faster than s, or NULL */
     fvi_band J_band;
     size_t row; /* the next row that J's slopes are asked for */
 } fvi_adjoint_variable_run;

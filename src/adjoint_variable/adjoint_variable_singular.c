@@ -7,7 +7,7 @@
 void fvi_adjoint_variable_subtract_velocity(fvi_adjoint_variable_run *m)
 {
     const size_t last = m->path.steps - 1;
-    for (size_t j = 0; m->path.beta > 0 && j < m->d; j++) {
+    for (size_t j = 0; m->o->beta > 0 && j < m->d; j++) {
         double slope = 0;
         m->subtracted_velocity[j] = m->run->p0[j] / m->run->system->mass[j];
         if (!m->singular_start.is)
@@ -38,20 +38,20 @@ void fvi_adjoint_variable_accumulate_singular_start(fvi_adjoint_variable_run *m,
 void fvi_adjoint_variable_transfer_back(fvi_adjoint_variable_run *m)
 {
     const double t1 = m->singular_start.undamped.t1;
-    if (m->modes)
-        fvi_modes_activate_all(m->modes);
+    if (m->o->modes)
+        fvi_modes_activate_all(m->o->modes);
     for (size_t j = 0; j < m->d; j++) {
         const double rho = m->run->system->damping[j];
         double by_v = m->after[j], slope;
         fvi_singular_start_adjoint_at(&m->singular_start, j, t1, &slope);
-        if (m->path.beta > 0) { /* and the velocity that the history subtracts from V */
+        if (m->o->beta > 0) { /* and the velocity that the history subtracts from V */
             by_v += rho * m->plain[j];
             m->subtracted_velocity[j] -= slope;
         }
         fvi_singular_start_adjoint_accumulate(&m->singular_start, j, t1, m->xi[j], by_v, 0);
-        if (m->modes)
+        if (m->o->modes)
             m->sum[j] +=
-                fvi_singular_start_adjoint_accumulate_modes(&m->singular_start, j, rho, m->modes,
+                fvi_singular_start_adjoint_accumulate_modes(&m->singular_start, j, rho, m->o->modes,
                                          m->before[j], m->want->alpha != NULL);
     }
 }
@@ -63,7 +63,7 @@ void fvi_adjoint_variable_end_singular_start(fvi_adjoint_variable_run *m, size_t
     const fvi_sensitivities *want = m->want;
     const fvi_singular_start_adjoint *p = &m->singular_start;
     const double M = m->run->system->mass[j], rho = m->run->system->damping[j];
-    const int above = m->path.beta > 0;
+    const int above = m->o->beta > 0;
     const double by_A =
         p->by_A[j] + (above ? fvi_singular_start_adjoint_first(p, j) * by_v0 : 0);
     double by_rho, by_m;

@@ -12,7 +12,7 @@ static void find_stages(fvi_adjoint_variable_run *m, size_t n, double h)
     const size_t d = m->d;
     for (size_t j = 0; j < d; j++) {
         double move[FVI_LANES];
-        fvi_square_apply(m->s, m->path.to_x, numbers + 3 * d + j * FVI_LANES,
+        fvi_square_apply(m->s, m->o->to_x, numbers + 3 * d + j * FVI_LANES,
                          move);
         for (size_t i = 0; i < m->s; i++)
             m->X[i * d + j] =
@@ -41,7 +41,7 @@ static void add_entry(fvi_adjoint_variable_run *m, size_t j, size_t l, const dou
     const size_t s = m->s;
     for (size_t c = 0; c < s; c++) {
         double *row = fvi_band_row(&m->J_band, j * s + c) + l * s;
-        const double *to_x = m->path.to_x->column[c];
+        const double *to_x = m->o->to_x->column[c];
 #pragma omp simd
         for (size_t i = 0; i < s; i++)
             row[i] += weight[i] * to_x[i];
@@ -68,14 +68,14 @@ static void add_hessians(fvi_adjoint_variable_run *m, double h)
 static int factorise(fvi_adjoint_variable_run *m, double h)
 {
     const size_t s = m->s;
-    const double unit = pow(h, 1 - m->path.beta), *b = m->rule->b;
+    const double unit = pow(h, 1 - m->o->beta), *b = m->rule->b;
     fvi_band_clear(&m->J_band);
     for (size_t j = 0; j < m->d; j++) {
         const double mass = fvi_adjoint_variable_mass(m, j),
                      rho = fvi_adjoint_variable_damping(m, j) * unit;
         for (size_t c = 0; c < s; c++) {
             double *row = fvi_band_row(&m->J_band, j * s + c) + j * s;
-            const double *inverse = m->rule->inverse.column[c], *W0 = m->path.W0.column[c];
+            const double *inverse = m->rule->inverse.column[c], *W0 = m->o->W0.column[c];
 #pragma omp simd
             for (size_t i = 0; i < s; i++)
                 row[i] = b[i] * (mass * inverse[i] + rho * W0[i]);
@@ -88,15 +88,15 @@ static int factorise(fvi_adjoint_variable_run *m, double h)
 /* Write T without W0 mu: the history. (22.6), (22.7) */
 static void evaluate_history(fvi_adjoint_variable_run *m, double h)
 {
-    const double now = pow(h, -m->path.beta);
+    const double now = pow(h, -m->o->beta);
     for (size_t j = 0; m->has_history && j < m->d; j++) {
         double *T = m->T + j * FVI_LANES, rising[FVI_LANES] = { 0 };
         memset(T, 0, FVI_LANES * sizeof *T);
-        if (m->modes)
-            fvi_modes_history(m->modes, j, T);
-        if (m->rising)
-            fvi_modes_history(m->rising, j, rising);
-        for (size_t i = 0; (m->path.beta > 0 || m->rising) && i < m->s; i++)
+        if (m->o->modes)
+            fvi_modes_history(m->o->modes, j, T);
+        if (m->o->rising)
+            fvi_modes_history(m->o->rising, j, rising);
+        for (size_t i = 0; (m->o->beta > 0 || m->o->rising) && i < m->s; i++)
             T[i] += rising[i] - now * m->W_1[i] * m->before[j];
     }
 }
@@ -136,12 +136,10 @@ static int solve(fvi_adjoint_variable_run *m, double h)
 static void begin_kernel(fvi_adjoint_variable_run *m, double h)
 {
     const double ones[FVI_LANES] = { 1, 1, 1, 1, 1, 1, 1, 1 };
-    fvi_variable_step_state *o = m->path.stepper->method_state;
-    fvi_variable_step_present_kernel(o, h);
-    m->path.W0 = o->W0;
-    fvi_square_apply(m->s, &o->W0, ones, m->W_1);
+    fvi_variable_step_present_kernel(m->o, h);
+    fvi_square_apply(m->s, &m->o->W0, ones, m->W_1);
     for (size_t i = 0; i < m->s; i++)
-        m->W_1[i] -= o->W1[i];
+        m->W_1[i] -= m->o->W1[i];
 }
 
 int fvi_adjoint_variable_solve(fvi_adjoint_variable_run *m, size_t n)
@@ -150,12 +148,12 @@ int fvi_adjoint_variable_solve(fvi_adjoint_variable_run *m, size_t n)
     find_stages(m, n, length.h);
     const int status = fvi_potential_evaluate_hessians(m->run->system, m->s, m->X,
                                                        m->linearised.size, m->G);
-    if (m->path.stepper)
+    if (m->o->kernel)
         begin_kernel(m, length.h);
-    if (m->modes)
-        fvi_modes_begin(m->modes, length);
-    if (m->rising)
-        fvi_modes_begin(m->rising, length);
+    if (m->o->modes)
+        fvi_modes_begin(m->o->modes, length);
+    if (m->o->rising)
+        fvi_modes_begin(m->o->rising, length);
     evaluate_history(m, length.h);
     return status ? status : solve(m, length.h);
 }

@@ -10,35 +10,36 @@
 typedef struct {
     double t;
     fvi_length length;
+    int is_hit; /* nonzero if an impulse acts at its end */
 } fvi_recorded_step;
 
-/* The record of a run. For step n, coordinate j, the numbers from numbers[n * FVI_MESH_NUMBERS * d] on are: x and v at
- * its beginning, at j and d + j; the velocity that an impulse there has added to v, at 2 d + j; and V - v at its
- * stages, from 3 d + j FVI_LANES on. */
-enum { FVI_MESH_NUMBERS = 3 + FVI_LANES };
+/* The record of a run. Step n has `size` numbers, from numbers[n * size] on. */
 typedef struct {
-    const fvi_variable_rule *rule;
-    const fvi_square *to_x; /* X = x + h c v + h to_x (V - v) */
-    fvi_square W0;
-    double beta, T, least;
-    fvi_modes_kind modes_kind;
-    fvi_singular singular; /* as the run begins with it, without its arrays */
-    size_t d, steps, room;
+    fvi_stepper *stepper; /* the stepper of the run, at its end; owned */
+    size_t d, size, steps, room;
     fvi_recorded_step *step;
     double *numbers;
-    double *rows, *p; /* x at the times of the rows; the last p */
-    double *impulse_dv;     /* d numbers: the velocity that an impulse at the last time has added */
-    fvi_stepper *stepper;   /* the stepper of a run with a law or of a structure, because it has the kernels; else
-                               NULL */
+    double *rows, *p;   /* x at the times of the rows; the last p */
+    double *impulse_dv; /* d numbers: the velocity that an impulse at the last time has added */
 } fvi_recorded_steps;
 
-/* fvi_recorded_steps_run -- make a run and record it.
+/* fvi_recorded_steps_start -- start a run that will be recorded.
  *
  *   for_adjoint  nonzero: start by fvi_variable_step_start_for_adjoint
  *   path         output; give it back with fvi_recorded_steps_free, also after an error
  *
- * Returns what fvi_stepper_start and fvi_stepper_step return; FVI_EINVAL if the rows cannot be addressed;
- * FVI_ENOMEM. */
+ * Returns what fvi_stepper_start returns; FVI_EINVAL if the rows cannot be addressed; FVI_ENOMEM.
+ *
+ * fvi_recorded_steps_go -- make this run. After each step `record` writes the path->size numbers of the step.
+ *
+ * fvi_recorded_steps_run -- start and make a run without a mechanism. The numbers of step n, coordinate j, are x and v
+ * at its beginning, at j and d + j; the velocity that an impulse there has added to v, at 2 d + j; and V - v at its
+ * stages, from 3 d + j FVI_LANES on.
+ *
+ * The last two return what fvi_stepper_step returns, too. */
+enum { FVI_MESH_NUMBERS = 3 + FVI_LANES };
+int fvi_recorded_steps_start(const fvi_run *run, int for_adjoint, fvi_recorded_steps *path);
+int fvi_recorded_steps_go(fvi_recorded_steps *path, void (*record)(void *params, double *numbers), void *params);
 int fvi_recorded_steps_run(const fvi_run *run, int for_adjoint, fvi_recorded_steps *path);
 void fvi_recorded_steps_free(fvi_recorded_steps *path);
 

@@ -30,16 +30,16 @@ static int start_undamped(fvi_singular_start_adjoint *p, const fvi_run *run)
 }
 
 static int start_unit(fvi_singular_start_adjoint *p, const fvi_run *run,
-                      const fvi_recorded_steps *path)
+                      const fvi_variable_step_state *o)
 {
     fvi_singular *g = &p->unit;
-    *g = path->singular;
+    *g = o->singular;
     int status = fvi_singular_allocate(run->system->d, g);
     if (status)
         return status;
     for (size_t j = 0; j < run->system->d; j++)
         p->by_A[j] = 1;
-    fvi_singular_fill(run->system, run->alpha, path->T, p->by_A, g);
+    fvi_singular_fill(run->system, run->alpha, o->T, p->by_A, g);
     for (size_t n = 0; n <= g->J; n++)
         p->psi[n] = fvi_digamma(1 + fvi_singular_power(g, n));
     if (g->gap > 0 && !g->by_euler_transform) /* otherwise G leaves no force, and psi may have a pole */
@@ -54,8 +54,8 @@ static double amplitude(const fvi_run *run, size_t j)
                               run->p0[j] / run->system->mass[j]);
 }
 
-int fvi_singular_start_adjoint_start(const fvi_run *run, const fvi_recorded_steps *path,
-                          size_t modes, fvi_singular_start_adjoint *p)
+int fvi_singular_start_adjoint_start(const fvi_run *run, const fvi_variable_step_state *o,
+                                     fvi_singular_start_adjoint *p)
 {
     const size_t d = run->system->d;
     int moves = 0;
@@ -64,14 +64,14 @@ int fvi_singular_start_adjoint_start(const fvi_run *run, const fvi_recorded_step
             && run->alpha < 1;
     for (size_t j = 0; p->is && j < d; j++)
         moves |= amplitude(run, j) != 0;
-    p->is = p->is && (moves || path->singular.J);
+    p->is = p->is && (moves || o->singular.J);
     if (!p->is)
         return FVI_SUCCESS;
     p->block = FVI_ARRAYS({ &p->A, d }, { &p->by_A, d }, { &p->by_ratio, d }, { &p->by_mass, d },
-                          { &p->psi, path->singular.J + 1 }, { &p->moment, modes });
+                          { &p->psi, o->singular.J + 1 }, { &p->moment, o->modes ? fvi_modes_count(o->modes) : 0 });
     if (!p->block)
         FVI_FAIL("no memory for the start", FVI_ENOMEM);
-    int status = path->singular.J ? start_unit(p, run, path) : FVI_SUCCESS;
+    int status = o->singular.J ? start_unit(p, run, o) : FVI_SUCCESS;
     for (size_t j = 0; j < d; j++) {
         p->by_A[j] = 0;
         p->A[j] = amplitude(run, j);

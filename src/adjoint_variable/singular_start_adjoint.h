@@ -9,7 +9,7 @@
 #ifndef FVI_SINGULAR_START_ADJOINT_H
 #define FVI_SINGULAR_START_ADJOINT_H
 
-#include "recorded_steps.h"
+#include "variable_step/variable_step.h"
 
 /* "each" means that an array has d numbers. */
 typedef struct {
@@ -27,10 +27,10 @@ typedef struct {
     double *block;  /* the memory of psi, A, the three derivatives and moment; owned */
 } fvi_singular_start_adjoint;
 
-/* fvi_singular_start_adjoint_start -- start for a recorded run; `modes` is how many modes it has. Give it back with
- * fvi_singular_start_adjoint_stop, also after an error. Returns FVI_SUCCESS or FVI_ENOMEM. */
-int fvi_singular_start_adjoint_start(const fvi_run *run, const fvi_recorded_steps *path,
-                          size_t modes, fvi_singular_start_adjoint *start);
+/* fvi_singular_start_adjoint_start -- start for a run with this state, whose modes are those of the adjoint run. Give it
+ * back with fvi_singular_start_adjoint_stop, also after an error. Returns FVI_SUCCESS or FVI_ENOMEM. */
+int fvi_singular_start_adjoint_start(const fvi_run *run, const fvi_variable_step_state *o,
+                                     fvi_singular_start_adjoint *start);
 void fvi_singular_start_adjoint_stop(fvi_singular_start_adjoint *start);
 
 /* fvi_singular_start_adjoint_first -- the velocity that v begins with, for A = 1. */
