@@ -172,7 +172,7 @@ int fvi_stepper_contact_force(const fvi_stepper *s, size_t i, double t, double *
  * Cost O(d). Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EDOM if a number is not finite; FVI_EINVAL for
  * another method, and within a callback of this stepper; FVI_EUNSUP if the run did not know that velocities would jump,
  * if it has a law of damping that grows faster than s, or if J kicks a coordinate without inertia; what the functions
- * of the events and of a mechanism return. */
+ * of the events, of a mechanism and of matrices return. */
 int fvi_stepper_kick(fvi_stepper *s, const double *J);
 
 /* fvi_events_check -- check the events of a run. fvi_stepper_start does so; nobody else needs to.

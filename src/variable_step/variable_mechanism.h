@@ -52,11 +52,8 @@ int fvi_mesh_scale(fvi_stepper *s, double *scale);
 int fvi_mesh_begin(fvi_stepper *s, fvi_variable_step_state *o);
 
 /* fvi_mesh_shortest -- return how short steps may have to be, as a part of T, because velocities of dampers jump at the
- * start, by impulses or by impacts; 1 if nothing makes steps short; 0 if no step is short enough.
- *
- * fvi_mesh_can_apply_impulses -- return o->can_apply_impulses. */
+ * start, by impulses or by impacts; 1 if nothing makes steps short; 0 if no step is short enough. */
 double fvi_mesh_shortest(const fvi_stepper *s, const fvi_variable_step_state *o);
-int fvi_mesh_can_apply_impulses(const fvi_stepper *s, const fvi_variable_step_state *o);
 
 /* fvi_mesh_try, fvi_mesh_accept -- try a step as fvi_variable_step_try does; and take it, except for the time. They
  * return FVI_SUCCESS; FVI_EMAXITER or FVI_ESING if the step cannot be solved; FVI_ENOMEM; the codes of the Lagrangian,

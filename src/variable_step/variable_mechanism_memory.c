@@ -110,14 +110,6 @@ double fvi_mesh_shortest(const fvi_stepper *s, const fvi_variable_step_state *o)
     return shortest;
 }
 
-int fvi_mesh_can_apply_impulses(const fvi_stepper *s, const fvi_variable_step_state *o)
-{
-    for (size_t j = 0; j < o->mechanism->r; j++)
-        if (depends_on_jumps(s, j) && !fvi_variable_step_velocities_jump(&s->run))
-            return 0;
-    return 1;
-}
-
 static int refuse(fvi_error *error, int code, size_t j, const char *text)
 {
     return fvi_at_index(error, j, fvi_fail(error, code, "damper", (double)j + 1, text, j + 1));

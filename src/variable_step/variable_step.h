@@ -125,7 +125,6 @@ typedef struct {
     double *y, *y_compensation, *v, *v_compensation, t, t_compensation; /* at the end of the last step */
     double *impulse_dv; /* the jump of v by the impulses at t */
     size_t hits;  /* number of impulses that have acted */
-    int can_apply_impulses; /* nonzero: steps can be as short as a jump of v needs them */
     struct fvi_event_watch *watch; /* variable_step_events.h; NULL: the run has no events */
     /* the step that is tried, or the last step: its start, its stages */
     double t0, *y0, *v0;
@@ -182,8 +181,12 @@ void fvi_variable_step_limit(fvi_stepper *s, double longest, int growth);
  * of a step. */
 void fvi_variable_step_rest_below(fvi_stepper *s, double height);
 
-/* fvi_variable_step_apply_impulses -- apply the impulses at o->t that have not acted yet: v jumps, (22.22). Returns
- * FVI_SUCCESS; with a mechanism the codes of fvi_mesh_jump, with matrices the codes of their functions. */
+/* fvi_variable_step_jump -- add an impulse, factor J, at o->t: v jumps, (22.22), and with a mechanism p, too.
+ *
+ * fvi_variable_step_apply_impulses -- add the impulses at o->t that have not acted yet.
+ *
+ * Both return FVI_SUCCESS; with a mechanism the codes of fvi_mesh_jump, with matrices the codes of their functions. */
+int fvi_variable_step_jump(fvi_stepper *s, fvi_variable_step_state *o, const double *J, double factor);
 int fvi_variable_step_apply_impulses(fvi_stepper *s, fvi_variable_step_state *o);
 
 /* fvi_variable_step_start_for_adjoint -- start a run without events like fvi_variable_step_start. But a start has a

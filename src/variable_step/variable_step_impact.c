@@ -4,6 +4,7 @@
 #include "variable_mechanism.h"
 #include "variable_step_events.h"
 
+#include "run/run_damper.h"
 #include "system/dot.h"
 #include "system/fail.h"
 #include "system/larger.h"
@@ -24,13 +25,10 @@ static double mass_in_impact(const fvi_stepper *s, size_t j)
 static int apply_impulse(fvi_stepper *s, const double *J, double factor)
 {
     fvi_variable_step_state *o = s->method_state;
-    const int status = o->mechanism ? fvi_mesh_jump(s, o, J, factor) : FVI_SUCCESS;
-    for (size_t j = 0; j < o->d && !o->mechanism; j++) {
-        const double jump = factor * J[j] / mass_in_impact(s, j);
-        o->impulse_dv[j] += jump;
-        o->v[j] += jump;
-        s->p[j] += s->run.system->mass[j] * jump;
-    }
+    const int status = fvi_variable_step_jump(s, o, J, factor);
+    for (size_t j = 0; j < o->d && !o->mechanism; j++)
+        s->p[j] += o->structure ? factor * J[j]
+                                : s->run.system->mass[j] * (factor * J[j] / mass_in_impact(s, j));
     o->first_after_event = 1;
     o->next_exponent = o->first_exponent;
     return status;
@@ -255,6 +253,21 @@ int fvi_stepper_is_over(const fvi_stepper *s)
     return w && w->is_over;
 }
 
+/* Return nonzero if the steps and the modes are short enough for a velocity that jumps. They are, if the run knew of
+ * jumps when it started. Otherwise no damper may grow faster than s. An exception is the order 2, a mass of each
+ * coordinate. */
+static int can_apply_impulses(const fvi_stepper *s, const fvi_variable_step_state *o)
+{
+    int can = 1;
+    for (size_t j = 0; j < fvi_run_damper_count(&s->run); j++) {
+        const fvi_run_damper of = fvi_run_damper_of(&s->run, j);
+        const int acts = o->structure ? of.matrix.history_size > 0 : o->mechanism || o->damped > 0,
+                  is_mass = !of.law && of.alpha == 1;
+        can = can && (!acts || of.growth <= 1 || is_mass);
+    }
+    return can || fvi_variable_step_velocities_jump(&s->run);
+}
+
 int fvi_stepper_kick(fvi_stepper *s, const double *J)
 {
     if (!s || !J)
@@ -266,7 +279,7 @@ int fvi_stepper_kick(fvi_stepper *s, const double *J)
     if (!fvi_all_finite(s->run.system->d, J))
         FVI_FAIL("J must be finite", FVI_EDOM);
     fvi_variable_step_state *o = s->method_state;
-    if (!o->can_apply_impulses)
+    if (!can_apply_impulses(s, o))
         FVI_FAIL("the run did not know that a velocity would jump", FVI_EUNSUP);
     for (size_t j = 0; j < o->d && s->mechanism; j++)
         if (s->mechanism->is_massless[j] && J[j] != 0)

@@ -200,15 +200,6 @@ static void choose_rule(fvi_stepper *s, fvi_variable_step_state *o, double scale
     o->first_after_event = 1;
 }
 
-/* Return nonzero if the steps and the modes are short enough for a velocity that jumps. */
-static int can_apply_impulses(const fvi_stepper *s, const fvi_variable_step_state *o)
-{
-    if (o->damped == 0 || fvi_variable_step_velocities_jump(&s->run))
-        return 1;
-    return o->kernel ? fvi_kernel_growth(s->run.law) <= 1
-                     : o->beta <= 0 || o->beta == 1;
-}
-
 int fvi_variable_step_explain_modes(const fvi_stepper *s, const fvi_variable_step_state *o, int status)
 {
     return status == FVI_EDOM
@@ -291,14 +282,11 @@ typedef struct {
     int (*start)(fvi_stepper *s, fvi_variable_step_state *o);
     double (*shortest)(const fvi_stepper *s, const fvi_variable_step_state *o);
     int (*begin)(fvi_stepper *s, fvi_variable_step_state *o);
-    int (*can_apply_impulses)(const fvi_stepper *s, const fvi_variable_step_state *o);
 } coupled_system;
 
-static const coupled_system of_mechanism = { fvi_mesh_scale, fvi_mesh_start, fvi_mesh_shortest, fvi_mesh_begin,
-                                             fvi_mesh_can_apply_impulses },
+static const coupled_system of_mechanism = { fvi_mesh_scale, fvi_mesh_start, fvi_mesh_shortest, fvi_mesh_begin },
                             of_structure = { fvi_structure_mesh_scale, fvi_structure_mesh_start,
-                                             fvi_structure_mesh_shortest, fvi_structure_mesh_begin,
-                                             fvi_structure_mesh_can_apply_impulses };
+                                             fvi_structure_mesh_shortest, fvi_structure_mesh_begin };
 
 /* Begin a run of a mechanism or of matrices: state, dampers, and the modes that the shortest step needs. */
 static int start_coupled(fvi_stepper *s, fvi_variable_step_state *o, const coupled_system *of)
@@ -332,7 +320,6 @@ static int start_coupled(fvi_stepper *s, fvi_variable_step_state *o, const coupl
     if (!status && m)
         status = m->inertia(o->d, o->v, m->params, s->p);
     set_first_exponent(o);
-    o->can_apply_impulses = of->can_apply_impulses(s, o);
     return status;
 }
 
@@ -387,7 +374,6 @@ static int start(fvi_stepper *s, int for_adjoint)
     for (size_t j = 0; j < d; j++)
         s->p[j] += s->run.system->mass[j] * o->impulse_dv[j];
     set_first_exponent(o);
-    o->can_apply_impulses = can_apply_impulses(s, o);
     return status;
 }
 

@@ -152,6 +152,20 @@ int fvi_variable_step_runs_away(fvi_variable_step_state *o, size_t most_steps)
 }
 
 //> apply-impulses
+int fvi_variable_step_jump(fvi_stepper *s, fvi_variable_step_state *o, const double *J, double factor)
+{
+    if (o->mechanism)
+        return fvi_mesh_jump(s, o, J, factor);
+    if (o->structure)
+        return fvi_structure_mesh_jump(s, o, J, factor);
+    for (size_t j = 0; j < o->d; j++) {
+        const double jump = factor * J[j] / o->group[o->group_of[j]].mass;
+        o->impulse_dv[j] += jump;
+        o->v[j] += jump;
+    }
+    return FVI_SUCCESS;
+}
+
 int fvi_variable_step_apply_impulses(fvi_stepper *s, fvi_variable_step_state *o)
 {
     const fvi_force *force = &s->run.system->force;
@@ -161,17 +175,9 @@ int fvi_variable_step_apply_impulses(fvi_stepper *s, fvi_variable_step_state *o)
     for (; o->hits < force->impulse_count && force->impulses[o->hits].t <= now && !status;
          o->hits++) {
         const double *J = force->impulses[o->hits].J;
-        if (o->mechanism)
-            status = fvi_variable_step_open_tensile_contacts(s, o, J, 1);
-        if (o->mechanism && !status)
-            status = fvi_mesh_apply_impulse(s, o, J);
-        else if (o->structure)
-            status = fvi_structure_mesh_jump(s, o, J);
-        for (size_t j = 0; j < o->d && !o->mechanism && !o->structure; j++) {
-            const double jump = J[j] / o->group[o->group_of[j]].mass;
-            o->impulse_dv[j] += jump;
-            o->v[j] += jump;
-        }
+        status = fvi_variable_step_open_tensile_contacts(s, o, J, 1);
+        if (!status)
+            status = o->mechanism ? fvi_mesh_apply_impulse(s, o, J) : fvi_variable_step_jump(s, o, J, 1);
     }
     return status;
 }

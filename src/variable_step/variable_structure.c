@@ -164,11 +164,6 @@ int fvi_structure_mesh_begin(fvi_stepper *s, fvi_variable_step_state *o)
     return status ? status : fvi_structure_mesh_begin_dampers(s, o);
 }
 
-static int depends_on_jumps(const fvi_mesh_matrix *of)
-{
-    return of->of.growth > 1;
-}
-
 /* The numbers of fvi_mesh_shortest, for dampers with many numbers each. */
 double fvi_structure_mesh_shortest(const fvi_stepper *s, const fvi_variable_step_state *o)
 {
@@ -177,7 +172,7 @@ double fvi_structure_mesh_shortest(const fvi_stepper *s, const fvi_variable_step
     for (size_t j = 0; j < m->count; j++) {
         const fvi_mesh_matrix *of = &m->damper[j];
         const int moves = largest_abs(o->d, s->p) > 0 || s->run.system->force.impulse_count > 0,
-                  jumps = depends_on_jumps(of) && moves
+                  jumps = of->of.growth > 1 && moves
                           && (s->run.system->force.impulse_count > 0
                               || of->of.past != FVI_INITIAL_HISTORY_CAPUTO),
                   starts_with_jump = fvi_structure_mesh_starts_with_jump(&of->of) && largest_abs(o->d, s->x) > 0;
@@ -187,14 +182,6 @@ double fvi_structure_mesh_shortest(const fvi_stepper *s, const fvi_variable_step
         shortest = smaller(shortest, pow(1e-4 * fmin(o->tolerance, 1), 1 / power));
     }
     return shortest;
-}
-
-int fvi_structure_mesh_can_apply_impulses(const fvi_stepper *s, const fvi_variable_step_state *o)
-{
-    for (size_t j = 0; j < o->structure->count; j++)
-        if (depends_on_jumps(&o->structure->damper[j]) && !s->run.system->force.impulse_count)
-            return 0;
-    return 1;
 }
 
 /* ---- a trial of a step, and its error ---- */
@@ -255,11 +242,12 @@ int fvi_structure_mesh_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_lengt
     return status ? status : estimate_error(o, error);
 }
 
-int fvi_structure_mesh_jump(fvi_stepper *s, fvi_variable_step_state *o, const double *J)
+int fvi_structure_mesh_jump(fvi_stepper *s, fvi_variable_step_state *o, const double *J, double factor)
 {
     struct fvi_mesh_structure *m = o->structure;
     double *v = m->Kv;
-    memcpy(v, J, o->d * sizeof *v);
+    for (size_t j = 0; j < o->d; j++)
+        v[j] = factor * J[j];
     int status = divide_by_mass(s->run.system, v);
     for (size_t j = 0; j < m->count && !status; j++) {
         const fvi_mesh_matrix *of = &m->damper[j];

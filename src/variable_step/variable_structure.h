@@ -42,14 +42,13 @@ struct fvi_mesh_structure {
     double *Kx, *Kv, *last, *size, *ones; /* d numbers each */
 };
 
-/* fvi_structure_mesh_scale, _start, _begin, _shortest, _can_apply_impulses -- the functions of a mechanism
- * (variable_mechanism.h) for a system with matrices. They return FVI_SUCCESS; FVI_EUNSUP if the matrices have no
+/* fvi_structure_mesh_scale, _start, _begin, _shortest -- the functions of a mechanism (variable_mechanism.h) for a
+ * system with matrices. They return FVI_SUCCESS; FVI_EUNSUP if the matrices have no
  * complex factors or a damper has the order 2; FVI_ENOMEM; the codes of the matrices. */
 int fvi_structure_mesh_scale(fvi_stepper *s, double *scale);
 int fvi_structure_mesh_start(fvi_stepper *s, fvi_variable_step_state *o);
 int fvi_structure_mesh_begin(fvi_stepper *s, fvi_variable_step_state *o);
 double fvi_structure_mesh_shortest(const fvi_stepper *s, const fvi_variable_step_state *o);
-int fvi_structure_mesh_can_apply_impulses(const fvi_stepper *s, const fvi_variable_step_state *o);
 
 /* fvi_structure_mesh_starts_with_jump -- return nonzero if the history of this damper contains a jump of x from 0 to
  * x_0 at t = 0. */
@@ -59,13 +58,13 @@ int fvi_structure_mesh_starts_with_jump(const fvi_run_damper *of);
  *
  * fvi_structure_mesh_advance -- advance the histories of all dampers by this step.
  *
- * fvi_structure_mesh_jump -- add M^{-1} J to v.
+ * fvi_structure_mesh_jump -- add factor M^{-1} J to v.
  *
  * They return FVI_SUCCESS; FVI_ENOMEM; the codes of the matrices and of the force. */
 int fvi_structure_mesh_try(fvi_stepper *s, fvi_variable_step_state *o, fvi_length length,
                            double *error);
 int fvi_structure_mesh_advance(fvi_variable_step_state *o);
-int fvi_structure_mesh_jump(fvi_stepper *s, fvi_variable_step_state *o, const double *J);
+int fvi_structure_mesh_jump(fvi_stepper *s, fvi_variable_step_state *o, const double *J, double factor);
 
 /* ---- variable_structure_forces.c: the forces of dampers in the last step ---- */
 

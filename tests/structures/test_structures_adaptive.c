@@ -212,6 +212,31 @@ START_TEST(an_impulse_of_a_structure_ends_a_step)
 }
 END_TEST
 
+/* M is consistent. A kick from rest gives the momentum p0, and the motion of a start with p0. */
+START_TEST(a_kick_of_a_structure_is_a_start_with_its_momentum)
+{
+    matrices m;
+    make_consistent(D, &m);
+    fvi_run run = run_of(&m.system, 0.25, 0.65, ROWS, x0, p0);
+    run.step_error = 1e-11;
+    double x[ROWS * D], p[ROWS * D], at[D], worst = 0;
+    rows_of(&run, x, p);
+    run.p0 = zeros;
+    fvi_stepper *s;
+    OK(fvi_stepper_start(&fvi_variable_step, &run, &s, NULL));
+    OK(fvi_stepper_kick(s, p0));
+    for (size_t k = 0; k < ROWS; k++) {
+        OK(fvi_stepper_advance_to(s, (double)(k + 1) * run.h, at, NULL));
+        for (size_t i = 0; i < D; i++)
+            worst = larger(worst, fabs(at[i] - x[k * D + i]));
+    }
+    fvi_stepper_free(s);
+    ck_assert_msg(worst <= 1e-13, "%g", worst);
+    seen(worst, "kicked");
+    drop(&m);
+}
+END_TEST
+
 /* ---- refusals ---- */
 
 START_TEST(what_steps_of_any_length_do_not_take_of_matrices)
@@ -244,7 +269,8 @@ int main(void)
     ADD_CASE(suite, "motions", eq_27_14_the_building_by_steps_of_its_own_to_the_tolerance,
              eq_27_14_diagonal_matrices_by_steps_of_their_own,
              eq_27_14_wide_matrices_beside_the_exact_motion,
-             an_impulse_of_a_structure_ends_a_step);
+             an_impulse_of_a_structure_ends_a_step,
+             a_kick_of_a_structure_is_a_start_with_its_momentum);
     ADD_CASE(suite, "refusals", what_steps_of_any_length_do_not_take_of_matrices);
     return run_suite(suite);
 }
