@@ -40,11 +40,10 @@ static int start_modes(fvi_adjoint_variable_run *m)
     fvi_modes_free(o->modes);
     fvi_modes_free(o->rising);
     o->modes = o->rising = NULL;
-    o->damped = m->d;
     if (!m->has_history || (o->beta == 0 && !m->want->alpha))
         return FVI_SUCCESS;
     if (o->kernel)
-        return fvi_variable_step_begin_kernel(o);
+        return fvi_variable_step_begin_kernel(o, o->kernel, m->d, &o->modes, &o->rising);
     const int status = fvi_modes_alloc(m->rule, o->modes_kind, o->beta, m->d, o->T, o->least, &o->modes);
     if (status || !m->want->alpha)
         return status;

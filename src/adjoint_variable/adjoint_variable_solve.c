@@ -136,7 +136,7 @@ static int solve(fvi_adjoint_variable_run *m, double h)
 static void begin_kernel(fvi_adjoint_variable_run *m, double h)
 {
     const double ones[FVI_LANES] = { 1, 1, 1, 1, 1, 1, 1, 1 };
-    fvi_variable_step_present_kernel(m->o, h);
+    fvi_variable_step_present_kernel(m->rule, m->o->kernel, h, m->o->beta, &m->o->W0, m->o->W1);
     fvi_square_apply(m->s, &m->o->W0, ones, m->W_1);
     for (size_t i = 0; i < m->s; i++)
         m->W_1[i] -= m->o->W1[i];

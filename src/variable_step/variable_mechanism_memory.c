@@ -155,9 +155,8 @@ static int begin_law(fvi_stepper *s, const fvi_variable_step_state *o, const fvi
     to->rho = 1;
     to->beta = -0.5; /* only a scale of W0 */
     int status = fvi_variable_step_prepare_kernel(kernel, &to->kernel);
-    const fvi_kernel_on_mesh law = { to->kernel, o->rule, count, o->T, o->least };
     if (!status)
-        status = fvi_kernel_begin_on_mesh(&law, &to->modes, &to->rising);
+        status = fvi_variable_step_begin_kernel(o, to->kernel, count, &to->modes, &to->rising);
     return status == FVI_EUNSUP
                ? refuse(s->error, status, j,
                         s->run.event_count ? "damper %zu: a pole of this law is too near to its cut, or off it, for "
@@ -236,9 +235,8 @@ void fvi_mesh_present_damper(const fvi_variable_step_state *o, double h, fvi_mes
                              double *W)
 {
     const size_t n = o->rule->s;
-    const fvi_kernel_on_mesh law = { of->kernel, o->rule, 1, o->T, o->least };
     if (of->kernel) {
-        fvi_kernel_present_on_mesh(&law, h, of->beta, &of->W0, of->W1);
+        fvi_variable_step_present_kernel(o->rule, of->kernel, h, of->beta, &of->W0, of->W1);
         set_rising(o->rule, of);
     }
     const double factor = of->rho * pow(h, -of->beta);

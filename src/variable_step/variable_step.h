@@ -222,31 +222,24 @@ static inline double fvi_variable_step_compliance(const fvi_variable_step_state 
 
 /* fvi_variable_step_prepare_kernel, _copy_kernel -- prepare a law of damping for a run, or copy it; free it with free.
  * The first returns FVI_SUCCESS or FVI_ENOMEM, the second NULL without memory.
- * fvi_variable_step_begin_kernel -- allocate o->modes and o->rising for o->kernel. Returns FVI_SUCCESS; FVI_EUNSUP if a
- * pole of the law is too near to its cut, or off it; FVI_EDOM if the run is too short for modes; FVI_ENOMEM.
+ * fvi_variable_step_begin_kernel -- allocate the modes of a law that acts on `count` numbers: `rising` for its terms
+ * that grow faster than s, and `modes` for the others. Both are NULL before, and stay so if there are none. Returns
+ * FVI_SUCCESS; FVI_EUNSUP if a pole of the law is too near to its cut, or off it; FVI_EDOM if the run is too short for
+ * modes; FVI_ENOMEM.
  * fvi_variable_step_explain_modes -- return the status of an allocation of modes; tell s->error of FVI_EDOM.
- * fvi_variable_step_present_kernel -- compute W0, W1 and memory_leakage for steps of length h. (26.18) */
+ * fvi_variable_step_present_kernel -- compute W0 for steps of length h and a scale h^beta of time, and W1, which is
+ * W0 1 of the terms that do not rise. (26.18)
+ * fvi_memory_leakage -- return |b . W0 A P_{s-1}|. */
 typedef struct fvi_variable_step_kernel fvi_variable_step_kernel;
 int fvi_variable_step_prepare_kernel(const fvi_kernel *law,
                                      fvi_variable_step_kernel **kernel);
 fvi_variable_step_kernel *
 fvi_variable_step_copy_kernel(const fvi_variable_step_kernel *from);
-int fvi_variable_step_begin_kernel(fvi_variable_step_state *o);
+int fvi_variable_step_begin_kernel(const fvi_variable_step_state *o, const fvi_variable_step_kernel *kernel,
+                                   size_t count, fvi_modes **modes, fvi_modes **rising);
 int fvi_variable_step_explain_modes(const fvi_stepper *s, const fvi_variable_step_state *o, int status);
-void fvi_variable_step_present_kernel(fvi_variable_step_state *o, double h);
-
-/* The same functions for any law, which acts on d numbers, in a run that lasts T and whose steps are never shorter than
- * `least`. W1 is W0 1 of the terms that do not rise. fvi_memory_leakage returns |b . W0 A P_{s-1}|. */
-typedef struct {
-    const fvi_variable_step_kernel *kernel;
-    const fvi_variable_rule *rule;
-    size_t d;
-    double T, least;
-} fvi_kernel_on_mesh;
-int fvi_kernel_begin_on_mesh(const fvi_kernel_on_mesh *o, fvi_modes **modes,
-                             fvi_modes **rising);
-void fvi_kernel_present_on_mesh(const fvi_kernel_on_mesh *o, double h, double beta,
-                                fvi_square *W0, double *W1);
+void fvi_variable_step_present_kernel(const fvi_variable_rule *rule, const fvi_variable_step_kernel *kernel, double h,
+                                      double beta, fvi_square *W0, double *W1);
 double fvi_memory_leakage(const fvi_variable_rule *rule, const fvi_square *W0);
 
 /* fvi_add_compensated -- add more to *sum. *less keeps the rounding error of the sum (Kahan). */

@@ -118,7 +118,7 @@ static double strip_width(const fvi_variable_step_kernel *k, int rising, int *an
 }
 
 /* Return the rate of the fastest mode: mu is 1e6 in the shortest step. It is infinite if that step is too short. */
-static double fastest_rate(const fvi_kernel_on_mesh *o)
+static double fastest_rate(const fvi_variable_step_state *o)
 {
     return 1e6 / o->least;
 }
@@ -126,10 +126,8 @@ static double fastest_rate(const fvi_kernel_on_mesh *o)
 /* Add the modes from mu = 1e6 in the shortest step down to sigma T = 1e-8. One more mode stands for all rates below,
  * with the same two moments. */
 //> ladder
-static int add_ladder(const fvi_kernel_on_mesh *o, int rising,
-                      mode_list *l)
+static int add_ladder(const fvi_variable_step_state *o, const fvi_variable_step_kernel *k, int rising, mode_list *l)
 {
-    const fvi_variable_step_kernel *k = o->kernel;
     int any;
     const double width = strip_width(k, rising, &any), step = 2 * M_PI * width / 36,
                  last = log(fastest_rate(o)), first = log(1e-8 / o->T);
@@ -153,9 +151,8 @@ static int add_ladder(const fvi_kernel_on_mesh *o, int rising,
 //< ladder
 
 /* Add the single poles, and all springs as one mode of the rate 0. */
-static int add_poles(const fvi_kernel_on_mesh *o, mode_list *l)
+static int add_poles(const fvi_variable_step_kernel *k, mode_list *l)
 {
-    const fvi_variable_step_kernel *k = o->kernel;
     double springs = 0;
     int status = FVI_SUCCESS;
     for (size_t i = 0; !status && i < k->terms; i++) {
@@ -188,8 +185,7 @@ static int modes_reproduce_kernel(const fvi_kernel_term *t, const fvi_kernel_mod
 }
 
 /* Add the modes of one general term. Try the widest strip first. */
-static int add_general_term(const fvi_kernel_on_mesh *o,
-                            const fvi_kernel_term *t, mode_list *l)
+static int add_general_term(const fvi_variable_step_state *o, const fvi_kernel_term *t, mode_list *l)
 {
     if (!isfinite(fastest_rate(o)))
         FVI_FAIL("the run is too short: the fastest decay rate of its memory would be above 1.8e308", FVI_EDOM);
@@ -212,9 +208,8 @@ static int add_general_term(const fvi_kernel_on_mesh *o,
     return FVI_EUNSUP;
 }
 
-static int add_general(const fvi_kernel_on_mesh *o, mode_list *l)
+static int add_general(const fvi_variable_step_state *o, const fvi_kernel *law, mode_list *l)
 {
-    const fvi_kernel *law = o->kernel->law;
     int status = FVI_SUCCESS;
     for (size_t i = 0; !status && i < law->count; i++)
         if (fvi_kernel_is_general(&law->term[i]) && law->term[i].rho > 0)
@@ -222,9 +217,8 @@ static int add_general(const fvi_kernel_on_mesh *o, mode_list *l)
     return status;
 }
 
-/* Allocate the modes of one group; none if the list is empty. */
-static int make_modes(const fvi_kernel_on_mesh *o, int rising, mode_list *l,
-                      fvi_modes **modes)
+/* Allocate the modes of one group for `count` numbers; none if the list is empty. */
+static int make_modes(const fvi_variable_step_state *o, int rising, size_t count, mode_list *l, fvi_modes **modes)
 {
     const double standstill = 1e-16 / o->T;
     for (size_t q = 0; q < l->count; q++) {
@@ -232,9 +226,7 @@ static int make_modes(const fvi_kernel_on_mesh *o, int rising, mode_list *l,
         l->weight[q] /= rising ? -1 : l->rate[q];
     }
     return l->count == 0 ? FVI_SUCCESS
-                         : fvi_modes_of_rates(o->rule, rising, o->d, o->T,
-                                              l->count, l->rate, l->weight,
-                                              modes);
+                         : fvi_modes_of_rates(o->rule, rising, count, o->T, l->count, l->rate, l->weight, modes);
 }
 
 /* ---- preparation ---- */
@@ -268,26 +260,26 @@ fvi_variable_step_copy_kernel(const fvi_variable_step_kernel *from)
     return k ? memcpy(k, from, bytes) : NULL;
 }
 
-int fvi_kernel_begin_on_mesh(const fvi_kernel_on_mesh *o, fvi_modes **modes,
-                             fvi_modes **rising)
+int fvi_variable_step_begin_kernel(const fvi_variable_step_state *o, const fvi_variable_step_kernel *k, size_t count,
+                                   fvi_modes **modes, fvi_modes **rising)
 {
     double *room = malloc(4 * MOST_MODES * sizeof *room);
     if (!room)
         FVI_FAIL("no memory for the modes", FVI_ENOMEM);
     mode_list slow = { 0, room, room + MOST_MODES },
               fast = { 0, room + 2 * MOST_MODES, room + 3 * MOST_MODES };
-    int status = add_ladder(o, 0, &slow);
+    int status = add_ladder(o, k, 0, &slow);
     if (!status)
-        status = add_poles(o, &slow);
+        status = add_poles(k, &slow);
     if (!status)
-        status = add_general(o, &slow);
+        status = add_general(o, k->law, &slow);
     if (!status)
-        status = add_ladder(o, 1, &fast);
+        status = add_ladder(o, k, 1, &fast);
     const int none = status == FVI_EUNSUP;
     if (!status)
-        status = make_modes(o, 0, &slow, modes);
+        status = make_modes(o, 0, count, &slow, modes);
     if (!status)
-        status = make_modes(o, 1, &fast, rising);
+        status = make_modes(o, 1, count, &fast, rising);
     free(room);
     if (none)
         FVI_FAIL("law: a pole of this law is too near to its cut, or off it, for modes of variable steps; fvi-bdf2 "
@@ -317,19 +309,18 @@ static double complex evaluate_group(const fvi_variable_step_kernel *k, int risi
     return is_over_s ? C : C / (modulus * (cos(angle) + I * sin(angle)));
 }
 
-void fvi_kernel_present_on_mesh(const fvi_kernel_on_mesh *o, double h, double beta,
-                                fvi_square *W0, double *W1)
+void fvi_variable_step_present_kernel(const fvi_variable_rule *rule, const fvi_variable_step_kernel *k, double h,
+                                      double beta, fvi_square *W0, double *W1)
 {
-    const fvi_variable_rule *rule = o->rule;
     const double scale = pow(h, beta), ones[FVI_LANES] = { 1, 1, 1, 1,
                                                            1, 1, 1, 1 };
     double re[2][FVI_LANES / 2], im[2][FVI_LANES / 2];
     for (size_t n = 0; n < rule->s / 2; n++) {
         const double modulus = exp(rule->log_modulus[n]) / h;
         const double complex slow =
-            scale * evaluate_group(o->kernel, 0, modulus, rule->angle[n]);
+            scale * evaluate_group(k, 0, modulus, rule->angle[n]);
         const double complex all =
-            slow + scale * evaluate_group(o->kernel, 1, modulus, rule->angle[n]);
+            slow + scale * evaluate_group(k, 1, modulus, rule->angle[n]);
         re[0][n] = creal(slow);
         im[0][n] = cimag(slow);
         re[1][n] = creal(all);
@@ -345,24 +336,4 @@ double fvi_memory_leakage(const fvi_variable_rule *rule, const fvi_square *W0)
     double W_last[FVI_LANES];
     fvi_square_apply(rule->s, W0, rule->last, W_last);
     return fabs(fvi_dot(rule->s, rule->b, W_last));
-}
-
-/* ---- a run with one law ---- */
-
-static fvi_kernel_on_mesh law_of(const fvi_variable_step_state *o)
-{
-    return (fvi_kernel_on_mesh){ o->kernel, o->rule, o->damped, o->T, o->least };
-}
-
-int fvi_variable_step_begin_kernel(fvi_variable_step_state *o)
-{
-    const fvi_kernel_on_mesh law = law_of(o);
-    return fvi_kernel_begin_on_mesh(&law, &o->modes, &o->rising);
-}
-
-void fvi_variable_step_present_kernel(fvi_variable_step_state *o, double h)
-{
-    const fvi_kernel_on_mesh law = law_of(o);
-    fvi_kernel_present_on_mesh(&law, h, o->beta, &o->W0, o->W1);
-    o->memory_leakage = fvi_memory_leakage(o->rule, &o->W0);
 }

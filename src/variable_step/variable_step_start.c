@@ -212,7 +212,8 @@ int fvi_variable_step_explain_modes(const fvi_stepper *s, const fvi_variable_ste
 /* Allocate the modes of a law. */
 static int begin_kernel(fvi_stepper *s, fvi_variable_step_state *o)
 {
-    const int status = fvi_variable_step_explain_modes(s, o, fvi_variable_step_begin_kernel(o));
+    const int status = fvi_variable_step_explain_modes(
+        s, o, fvi_variable_step_begin_kernel(o, o->kernel, o->damped, &o->modes, &o->rising));
     return status == FVI_EUNSUP
                ? fvi_fail(s->error, status, NULL, NAN, "a pole of this law is too near to its cut, or off it, for "
                           "fvi-adaptive; %sfvi-bdf2 and fvi-stable take it",

@@ -205,8 +205,10 @@ int fvi_variable_step_matrices(fvi_variable_step_state *o, fvi_length length)
     if (h == o->length.h)
         return FVI_SUCCESS;
     const double power = pow(h, 1 - o->beta);
-    if (o->kernel)
-        fvi_variable_step_present_kernel(o, h);
+    if (o->kernel) {
+        fvi_variable_step_present_kernel(o->rule, o->kernel, h, o->beta, &o->W0, o->W1);
+        o->memory_leakage = fvi_memory_leakage(o->rule, &o->W0);
+    }
     const int inverse = o->solve == FVI_SOLVE_TOGETHER /* these solvers need L^{-1} */
                         || (!o->band && o->solve != FVI_SOLVE_DIAGONAL);
     o->length.h = 0; /* not ready, until all matrices are */
