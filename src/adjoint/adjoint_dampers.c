@@ -237,7 +237,7 @@ int fvi_adjoint_dampers_end(fvi_adjoint_dampers *m, const double *Jx)
         status = end_damper(m, m->each + j, want->damping ? want->damping + j : NULL,
                             by_velocity);
     if (!status)
-        status = fvi_damping_velocity(m->run->system, by_velocity, m->work);
+        status = fvi_divide_by_mass(m->run->system, by_velocity, m->work);
     for (size_t i = 0; i < d; i++) {
         m->by_start[i] += Jx[i];
         if (want->x0)

@@ -140,7 +140,7 @@ int fvi_adjoint_dampers_start(const fvi_method *method, const fvi_run *run,
     memcpy(m->Jp, Jp, m->d * sizeof *Jp);
     status = start_stepper(m, method);
     if (!status)
-        status = fvi_damping_velocity(run->system, run->p0, m->v0);
+        status = fvi_divide_by_mass(run->system, run->p0, m->v0);
     for (size_t j = 0; !status && j < m->count; j++) {
         status = start_damper(m, method, j);
         if (!status && m->paper_convention && m->each[j].damping)

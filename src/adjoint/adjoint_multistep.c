@@ -127,7 +127,7 @@ int fvi_adjoint_multistep_start(const fvi_method *method, const fvi_run *run,
     memcpy(m->Jp, Jp, m->d * sizeof *Jp);
     status = prepare_initial_impulses(m);
     if (!status && m->has_drift)
-        status = fvi_damping_velocity(run->system, run->p0, m->v0);
+        status = fvi_divide_by_mass(run->system, run->p0, m->v0);
     if (!status)
         status = start_stepper(m, method);
     if (!status && m->is_damped)
@@ -340,7 +340,7 @@ static int compute_drift_derivative(fvi_adjoint_multistep *m, double *by_drift)
         status = fvi_adjoint_multistep_apply_damping(m, m->impulse_size, m->impulse_sum,
                                                      m->by_line);
     if (!status)
-        status = fvi_damping_velocity(run->system, m->by_line, by_drift);
+        status = fvi_divide_by_mass(run->system, m->by_line, by_drift);
     for (size_t i = 0; i < m->d; i++)
         by_drift[i] += m->Jp[i] - m->stepper->x[i];
     return status;

@@ -306,7 +306,7 @@ int fvi_adjoint_structure_end(fvi_adjoint_structure *m, const double *Jx)
     for (size_t j = 0, first = 0; !status && j < m->count; first += m->each[j++].kernel.count)
         status = end_damper(m, j, first, by_velocity);
     if (!status)
-        status = fvi_damping_velocity(run->system, by_velocity, m->lambda_after);
+        status = fvi_divide_by_mass(run->system, by_velocity, m->lambda_after);
     for (size_t i = 0; i < d; i++) {
         const int exists = run->law || run->system->mechanism /* a run with x0 != 0 has a solution (19.2) */
                            || fvi_initial_history_solvable(run->past, run->alpha, run->system->damping[i], 1);

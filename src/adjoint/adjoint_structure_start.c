@@ -125,7 +125,7 @@ int fvi_adjoint_structure_start(const fvi_method *method, const fvi_run *run,
     int status = allocate(m);
     fvi_lobatto_table(m->rule, s, m->A);
     if (!status)
-        status = fvi_damping_velocity(run->system, run->p0, m->v0);
+        status = fvi_divide_by_mass(run->system, run->p0, m->v0);
     if (!status)
         status = start_stepper(m, method, Jp);
     for (size_t j = 0; !status && j < m->count; j++)

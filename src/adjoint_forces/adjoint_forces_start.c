@@ -57,7 +57,7 @@ static int start_of_structure(const fvi_stepper *s, const fvi_force_shares *shar
     const fvi_mechanism *m = run->system->mechanism;
     const size_t d = run->system->d;
     double *v = calloc(4 * d, sizeof *v), *by_v = v + d, *by_x = by_v + d, *by_p = by_x + d;
-    int status = v ? fvi_damping_velocity(run->system, s->p, v) : FVI_ENOMEM;
+    int status = v ? fvi_divide_by_mass(run->system, s->p, v) : FVI_ENOMEM;
     for (size_t j = 0, i = 0; j < fvi_run_damper_count(run) && !status; j++) {
         double factor = 0;
         status = multiply(run, j, shares->line + i, v, by_v, &factor);
@@ -68,7 +68,7 @@ static int start_of_structure(const fvi_stepper *s, const fvi_force_shares *shar
         i += m && !m->damper[j].matrix ? 1 : d;
     }
     if (!status)
-        status = fvi_damping_velocity(run->system, by_v, by_p);
+        status = fvi_divide_by_mass(run->system, by_v, by_p);
     for (size_t i = 0; i < d && !status; i++) {
         if (want->x0)
             want->x0[i] += by_x[i];

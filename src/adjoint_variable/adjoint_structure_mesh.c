@@ -5,10 +5,10 @@
  * that drives it. Its stages are the stages of the run in reverse order. */
 #include "adjoint_structure_mesh.h"
 
-#include "methods/damping.h"
 #include "system/arrays.h"
 #include "system/dot.h"
 #include "system/fail.h"
+#include "system/lagrangian_point.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -75,7 +75,7 @@ static int start(fvi_adjoint_structure_mesh_run *m)
     m->count = fvi_run_damper_count(m->run);
     int status = allocate(m);
     if (!status)
-        status = fvi_damping_velocity(m->run->system, m->run->p0, m->v0);
+        status = fvi_divide_by_mass(m->run->system, m->run->p0, m->v0);
     if (!status)
         status = start_modes(m);
     if (!status)
@@ -322,7 +322,7 @@ static int end(fvi_adjoint_structure_mesh_run *m)
     if (!status)
         status = end_dampers(m);
     if (!status)
-        status = fvi_damping_velocity(run->system, m->extra, m->room);
+        status = fvi_divide_by_mass(run->system, m->extra, m->room);
     for (size_t i = 0; i < d; i++) {
         const int has = run->law || run->system->mechanism
                         || fvi_initial_history_solvable(run->past, run->alpha, run->system->damping[i], 1);

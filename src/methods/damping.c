@@ -143,22 +143,6 @@ int fvi_damping_apply_force(const fvi_damping *d, double share, const double *H,
     return FVI_SUCCESS;
 }
 
-int fvi_damping_velocity(const fvi_system *system, const double *p, double *v)
-{
-    const fvi_matrices *m = system->matrices;
-    void *factors;
-    for (size_t i = 0; i < system->d; i++)
-        v[i] = m ? p[i] : p[i] / system->mass[i];
-    if (!m)
-        return FVI_SUCCESS;
-    int status = m->factorise(system->d, 1, 0, 0, m->params, &factors);
-    if (status)
-        return status;
-    status = m->solve(system->d, factors, v);
-    m->free_factors(factors);
-    return status;
-}
-
 /* ---- start ---- */
 
 /* Return the number of history numbers of the damper. */

@@ -5,6 +5,7 @@
 #define FVI_DAMPING_H
 
 #include "run/run_damper.h"
+#include "system/lagrangian_point.h" /* fvi_divide_by_mass */
 
 /* The history of one damper, in a list of all dampers. */
 typedef struct fvi_damping {
@@ -31,10 +32,6 @@ typedef struct fvi_damping {
     fvi_history *memory;
     const fvi_system *system;
 } fvi_damping;
-
-/* fvi_damping_velocity -- Compute v = M^-1 p, d numbers each. Return FVI_SUCCESS, or the code of factorise or solve of
- * the matrices. */
-int fvi_damping_velocity(const fvi_system *system, const double *p, double *v);
 
 /* fvi_damping_begin_matrices -- Set factor, origin, drift and the term k = 0 of one damper, for a system with matrices.
  * Return FVI_SUCCESS, or the code of a function of the matrices. */

@@ -11,7 +11,7 @@ int fvi_damping_begin_matrices(const fvi_stepper *s, fvi_initial_history past,
     int status = FVI_SUCCESS;
     if (past == FVI_INITIAL_HISTORY_CAPUTO && d->of.growth > 1) {
         double *v = s->dx; /* workspace: dx is not used before the first step */
-        status = fvi_damping_velocity(run->system, s->p, v);
+        status = fvi_divide_by_mass(run->system, s->p, v);
         for (size_t i = 0; i < run->system->d; i++)
             v[i] *= run->h;
         if (!status) /* z is still zero */

@@ -87,7 +87,7 @@ int fvi_initial_history_amplitudes(const fvi_system *system,
 {
     int status = FVI_SUCCESS;
     if (damper->growth > 1) /* otherwise the velocity is not used */
-        status = fvi_damping_velocity(system, p0, A);
+        status = fvi_divide_by_mass(system, p0, A);
     for (size_t i = 0; !status && i < system->d; i++)
         A[i] = fvi_initial_history_amplitude(past_of(damper), damper->growth / 2,
                                              x0[i], A[i]);

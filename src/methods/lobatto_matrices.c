@@ -13,7 +13,7 @@ static int find_velocity(fvi_stepper *s, fvi_lobatto_matrices *o)
     if (memcmp(s->p, o->p, bytes) == 0)
         return FVI_SUCCESS;
     memcpy(o->p, s->p, bytes);
-    return fvi_damping_velocity(s->run.system, s->p, o->v);
+    return fvi_divide_by_mass(s->run.system, s->p, o->v);
 }
 
 /* Return 1 for a run in dual variables (23.15): v is the multiplier, and x is the force that drives it, summed from the

@@ -84,7 +84,7 @@ int fvi_lobatto_matrices_start(fvi_stepper *s, size_t stages, int damped)
     if (status)
         return status;
     fvi_lobatto_matrices *o = s->method_state;
-    status = fvi_damping_velocity(s->run.system, s->p, o->v);
+    status = fvi_divide_by_mass(s->run.system, s->p, o->v);
     memcpy(o->p, s->p, o->d * sizeof *o->p);
     if (!status)
         status = fvi_stage_dampers_start(s, o->v);

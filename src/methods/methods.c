@@ -106,5 +106,5 @@ int fvi_velocity(const fvi_system *system, const double *p, double *v)
 {
     return !system->matrices && fvi_lagrangian_of(system)
                ? FVI_EUNSUP
-               : fvi_damping_velocity(system, p, v);
+               : fvi_divide_by_mass(system, p, v);
 }

@@ -2,6 +2,7 @@
 #include "exact_motion_check.h"
 #include "matrices/cholesky.h"
 #include "system/fail.h"
+#include "system/lagrangian_point.h"
 #include "system/quadratic.h"
 
 #include <fvi/dampers.h>
@@ -9,7 +10,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* ---- what it must be ---- */
 
@@ -152,18 +152,6 @@ int fvi_exact_motion_check(const fvi_exact_problem *problem, fvi_error *error)
 int fvi_exact_motion_start(const fvi_system *system, const double *x0, const double *p0,
                            double *v0, double *spring_force)
 {
-    const fvi_matrices *m = system->matrices;
-    void *factors = NULL;
-    int status = fvi_potential_gradient(system, x0, spring_force);
-    memcpy(v0, p0, system->d * sizeof *v0);
-    for (size_t i = 0; !m && i < system->d; i++)
-        v0[i] /= system->mass[i];
-    if (status || !m)
-        return status;
-    status = m->factorise(system->d, 1, 0, 0, m->params, &factors);
-    if (!status)
-        status = m->solve(system->d, factors, v0);
-    if (factors)
-        m->free_factors(factors);
-    return status;
+    const int status = fvi_potential_gradient(system, x0, spring_force);
+    return status ? status : fvi_divide_by_mass(system, p0, v0);
 }

@@ -211,6 +211,22 @@ int fvi_velocity_of_momentum(const fvi_system *system, double t,
     return status;
 }
 
+int fvi_divide_by_mass(const fvi_system *system, const double *p, double *v)
+{
+    const fvi_matrices *m = system->matrices;
+    void *factors;
+    for (size_t i = 0; i < system->d; i++)
+        v[i] = m ? p[i] : p[i] / system->mass[i];
+    if (!m)
+        return FVI_SUCCESS;
+    int status = m->factorise(system->d, 1, 0, 0, m->params, &factors);
+    if (status)
+        return status;
+    status = m->solve(system->d, factors, v);
+    m->free_factors(factors);
+    return status;
+}
+
 int fvi_momentum_of_velocity(const fvi_system *system, double t,
                              const double *x, const double *v, double *p)
 {

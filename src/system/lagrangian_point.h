@@ -36,6 +36,10 @@ enum { FVI_VELOCITY_STEPS = 60 }; /* largest number of Newton steps */
 int fvi_velocity_add(size_t d, const double *change, double *v, double *last,
                      int *is_done);
 
+/* fvi_divide_by_mass -- Compute v = M^-1 p for a system of masses or of matrices. v and p may be the same d numbers.
+ * Return FVI_SUCCESS, or the code of factorise or solve of the matrices. */
+int fvi_divide_by_mass(const fvi_system *system, const double *p, double *v);
+
 /* fvi_inertia_at_rest -- Find the coordinates that have no inertia at any velocity. A coordinate has no inertia if its
  * row and its column of L_vv are zero. The function tests this at v and, because an inertia may vanish at one velocity
  * only, also where all velocities are 1.

@@ -291,7 +291,7 @@ int fvi_tangent_start(const fvi_method *method, const fvi_run *run, size_t P,
     if (o->rule)
         fvi_lobatto_table(o->rule, o->s, o->A);
     if (!status)
-        status = fvi_damping_velocity(run->system, run->p0, o->v0);
+        status = fvi_divide_by_mass(run->system, run->p0, o->v0);
     if (!status)
         fill_starts(o);
     if (!status) /* form M asks for the first forces */

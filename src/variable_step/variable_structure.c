@@ -4,6 +4,7 @@
 #include "system/archive_pieces.h"
 #include "system/dot.h"
 #include "system/fail.h"
+#include "system/lagrangian_point.h"
 #include "system/larger.h"
 
 #include <math.h>
@@ -11,34 +12,6 @@
 #include <string.h>
 
 /* ---- the start ---- */
-
-/* Compute the factors of a M + b K. */
-static int factorise(const fvi_system *system, double a, double b, void **factors)
-{
-    const fvi_matrices *m = system->matrices;
-    double *none = calloc(m->damper_count + 1, sizeof *none);
-    if (!none)
-        FVI_FAIL("no memory for the start", FVI_ENOMEM);
-    *factors = NULL;
-    const int status =
-        m->damper_count > 0
-            ? m->factorise_dampers(system->d, a, none, b, m->params, factors)
-            : m->factorise(system->d, a, 0, b, m->params, factors);
-    free(none);
-    return status;
-}
-
-/* Replace r by M^{-1} r. */
-static int divide_by_mass(const fvi_system *system, double *r)
-{
-    void *factors;
-    int status = factorise(system, 1, 0, &factors);
-    if (!status)
-        status = system->matrices->solve(system->d, factors, r);
-    if (factors)
-        system->matrices->free_factors(factors);
-    return status;
-}
 
 int fvi_structure_mesh_scale(fvi_stepper *s, double *scale)
 {
@@ -59,9 +32,9 @@ int fvi_structure_mesh_scale(fvi_stepper *s, double *scale)
     for (size_t j = 0; j < d; j++)
         a[j] = s->F[j] - a[j];
     if (!status)
-        status = divide_by_mass(system, v);
+        status = fvi_divide_by_mass(system, v, v);
     if (!status)
-        status = divide_by_mass(system, a);
+        status = fvi_divide_by_mass(system, a, a);
     *scale = fvi_variable_step_scale(largest_abs(d, s->x), h * largest_abs(d, v), h * h * largest_abs(d, a));
     free(v);
     return status;
@@ -74,8 +47,8 @@ static int find_compliance(const fvi_system *system, double T, double *x, double
     enum { TIMES = 30 };
     const fvi_matrices *m = system->matrices;
     const size_t d = system->d;
-    void *factors;
-    int status = factorise(system, 0, 1, &factors);
+    void *factors = NULL;
+    int status = m->factorise(d, 0, 0, 1, m->params, &factors);
     *reach = T;
     for (size_t j = 0; j < d; j++)
         x[j] = 1 + 0.37 * sin((double)(3 * j + 1)); /* only by chance a mode is orthogonal to x */
@@ -150,12 +123,10 @@ int fvi_structure_mesh_start(fvi_stepper *s, fvi_variable_step_state *o)
 int fvi_structure_mesh_begin(fvi_stepper *s, fvi_variable_step_state *o)
 {
     const fvi_system *system = s->run.system;
-    const size_t bytes = o->d * sizeof *o->v;
     struct fvi_mesh_structure *m = o->structure;
     double reach = o->T, mass = INFINITY;
-    memcpy(o->y, s->x, bytes);
-    memcpy(o->v, s->p, bytes);
-    int status = divide_by_mass(system, o->v);
+    memcpy(o->y, s->x, o->d * sizeof *o->y);
+    int status = fvi_divide_by_mass(system, s->p, o->v);
     if (!status)
         status = find_compliance(system, o->T, m->Kx, m->Kv, &reach);
     for (size_t j = 0; j < o->d; j++)
@@ -248,7 +219,7 @@ int fvi_structure_mesh_jump(fvi_stepper *s, fvi_variable_step_state *o, const do
     double *v = m->Kv;
     for (size_t j = 0; j < o->d; j++)
         v[j] = factor * J[j];
-    int status = divide_by_mass(s->run.system, v);
+    int status = fvi_divide_by_mass(s->run.system, v, v);
     for (size_t j = 0; j < m->count && !status; j++) {
         const fvi_mesh_matrix *of = &m->damper[j];
         const fvi_damping_matrix *C = &of->of.matrix;
