@@ -277,64 +277,36 @@ static void set_first_exponent(fvi_variable_step_state *o)
     o->next_exponent = o->first_exponent;
 }
 
-/* The functions of a system whose coordinates are solved together; see variable_mechanism.h. */
-typedef struct {
-    int (*scale)(fvi_stepper *s, double *scale);
-    int (*start)(fvi_stepper *s, fvi_variable_step_state *o);
-    double (*shortest)(const fvi_stepper *s, const fvi_variable_step_state *o);
-    int (*begin)(fvi_stepper *s, fvi_variable_step_state *o);
-} coupled_system;
-
-static const coupled_system of_mechanism = { fvi_mesh_scale, fvi_mesh_start, fvi_mesh_shortest, fvi_mesh_begin },
-                            of_structure = { fvi_structure_mesh_scale, fvi_structure_mesh_start,
-                                             fvi_structure_mesh_shortest, fvi_structure_mesh_begin };
-
-/* Begin a run of a mechanism or of matrices: state, dampers, and the modes that the shortest step needs. */
-static int start_coupled(fvi_stepper *s, fvi_variable_step_state *o, const coupled_system *of)
+/* Prepare a run of a mechanism or of matrices: state, dampers, and the modes that the shortest step needs. */
+static int begin_coupled(fvi_stepper *s, fvi_variable_step_state *o)
 {
-    const fvi_matrices *m = s->run.system->matrices;
+    const int has_matrices = s->run.system->matrices != NULL;
     double scale;
-    o->groups = m ? 1 : o->d;
+    o->groups = has_matrices ? 1 : o->d;
     o->solve = FVI_SOLVE_TOGETHER;
-    int status = of->scale(s, &scale);
+    int status = has_matrices ? fvi_structure_mesh_scale(s, &scale) : fvi_mesh_scale(s, &scale);
     if (!status)
         status = check_tolerance(s, scale);
     if (status)
         return status;
     choose_rule(s, o, scale);
-    status = of->start(s, o);
+    status = has_matrices ? fvi_structure_mesh_start(s, o) : fvi_mesh_start(s, o);
     if (!status)
         status = fvi_variable_step_allocate(o);
     if (status)
         return status;
-    o->least = smaller(o->least, o->T * of->shortest(s, o));
+    o->least = smaller(o->least, o->T * (has_matrices ? fvi_structure_mesh_shortest(s, o) : fvi_mesh_shortest(s, o)));
     if (o->least < FVI_SHORTEST / 16 * o->T)
         return fvi_fail(s->error, FVI_EUNSUP, "damper", NAN, "no step is short enough for this error: an order is "
                         "too near to 2 behind a velocity that jumps, or to 0 at a coordinate without mass");
-    status = of->begin(s, o);
-    if (!status)
-        status = fvi_variable_step_find_events(s, o);
-    if (!status)
-        status = fvi_variable_step_begin_events(&s->run, o);
-    if (!status)
-        status = fvi_variable_step_apply_impulses(s, o);
-    if (!status && m)
-        status = m->inertia(o->d, o->v, m->params, s->p);
-    set_first_exponent(o);
-    return status;
+    return has_matrices ? fvi_structure_mesh_begin(s, o) : fvi_mesh_begin(s, o);
 }
 
-static int start(fvi_stepper *s, int for_adjoint)
+/* Prepare a run of a system with masses: state, groups, and the memory of its damping. */
+static int begin_chain(fvi_stepper *s, fvi_variable_step_state *o)
 {
-    const size_t d = s->run.system->d;
+    const size_t d = o->d;
     double scale, *springs = NULL;
-    fvi_variable_step_state *o = s->method_state = calloc(1, sizeof *o);
-    if (!o)
-        FVI_FAIL("no memory for the stages", FVI_ENOMEM);
-    o->d = d;
-    o->for_adjoint = for_adjoint;
-    if (s->run.system->matrices || s->run.system->mechanism)
-        return start_coupled(s, o, s->run.system->matrices ? &of_structure : &of_mechanism);
     int status = begin_law(s, o);
     if (!status)
         status = find_springs(s, o, &springs);
@@ -353,14 +325,8 @@ static int start(fvi_stepper *s, int for_adjoint)
         group_coordinates(s, springs, o);
         status = begin_memory(s, o);
     }
-    if (!status)
-        status = fvi_variable_step_find_events(s, o);
-    if (!status)
-        status = fvi_variable_step_begin_events(&s->run, o);
     free(springs);
-    if (status)
-        return status;
-    for (size_t j = 0; j < d; j++) {
+    for (size_t j = 0; j < d && !status; j++) {
         const double m = s->run.system->mass[j];
         const int start_jumps = s->run.alpha == 1 && s->run.past != FVI_INITIAL_HISTORY_CAPUTO;
         o->y[j] = s->x[j];
@@ -371,10 +337,30 @@ static int start(fvi_stepper *s, int for_adjoint)
             o->v[j] = o->singular.c[j * (o->singular.J + 1)];
         o->centre[j] = s->run.past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE ? 0 : s->x[j];
     }
-    status = fvi_variable_step_apply_impulses(s, o);
-    for (size_t j = 0; j < d; j++)
+    return status;
+}
+
+static int start(fvi_stepper *s, int for_adjoint)
+{
+    const fvi_matrices *m = s->run.system->matrices;
+    fvi_variable_step_state *o = s->method_state = calloc(1, sizeof *o);
+    if (!o)
+        FVI_FAIL("no memory for the stages", FVI_ENOMEM);
+    o->d = s->run.system->d;
+    o->for_adjoint = for_adjoint;
+    int status = m || s->run.system->mechanism ? begin_coupled(s, o) : begin_chain(s, o);
+    if (!status)
+        status = fvi_variable_step_find_events(s, o);
+    if (!status)
+        status = fvi_variable_step_begin_events(&s->run, o);
+    if (!status)
+        status = fvi_variable_step_apply_impulses(s, o);
+    if (!status && m)
+        status = m->inertia(o->d, o->v, m->params, s->p);
+    for (size_t j = 0; j < o->d && !status && !m && !o->mechanism; j++)
         s->p[j] += s->run.system->mass[j] * o->impulse_dv[j];
-    set_first_exponent(o);
+    if (!status)
+        set_first_exponent(o);
     return status;
 }
 
