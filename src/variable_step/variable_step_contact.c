@@ -186,29 +186,3 @@ int fvi_stepper_contact_force(const fvi_stepper *s, size_t i, double t, double *
             *force = fabs(fvi_mesh_multiplier(s, l, t));
     return FVI_SUCCESS;
 }
-
-void fvi_variable_step_find_lift_off(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i)
-{
-    const fvi_event_watch *w = o->watch;
-    const size_t row = fvi_mechanism_row_of_contact(s->mechanism, i), stages = o->rule->s;
-    const double noise = fvi_mesh_contact_noise(s, o, row);
-    double low = 0, high = 0;
-    size_t n = 0;
-    w->theta[i] = INFINITY;
-    w->z[i * stages] = fvi_variable_step_normal_force(s, o, i, 0);
-    for (; n < stages; n++) {
-        high = n + 1 < stages ? o->rule->c[n] : 1;
-        if (w->z[i * stages + n] < -noise)
-            break;
-        low = high;
-    }
-    for (int k = 0; k < 50 && n > 0 && n < stages; k++) {
-        const double middle = low + (high - low) / 2;
-        if (fvi_variable_step_normal_force(s, o, i, middle) > 0)
-            low = middle;
-        else
-            high = middle;
-    }
-    if (n < stages)
-        w->theta[i] = n == 0 ? 0 : high;
-}

@@ -206,6 +206,25 @@ static int bisect(const fvi_stepper *s, const fvi_variable_step_state *o, size_t
     return FVI_SUCCESS;
 }
 
+/* Find where the force of closed contact i passes 0, to w->theta[i]: 0 if the contact is under tension at the start of
+ * the step, INFINITY if it pushes at all stages. */
+static int find_lift_off(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i)
+{
+    const fvi_event_watch *w = o->watch;
+    const size_t row = fvi_mechanism_row_of_contact(s->mechanism, i), stages = o->rule->s;
+    const double noise = fvi_mesh_contact_noise(s, o, row);
+    double low = 0;
+    w->z[i * stages] = fvi_variable_step_normal_force(s, o, i, 0);
+    w->theta[i] = w->z[i * stages] < -noise ? 0 : INFINITY;
+    for (size_t n = 1; n < stages && w->theta[i] == INFINITY; n++) {
+        const double high = n + 1 < stages ? o->rule->c[n] : 1;
+        if (w->z[i * stages + n] < -noise)
+            return bisect(s, o, i, 1, low, high, &w->theta[i]);
+        low = high;
+    }
+    return FVI_SUCCESS;
+}
+
 /* Find where event i passes 0, to w->theta[i]; INFINITY if it does not. *is_too_long: set to 1 if z has not been on its
  * side at any place behind the impact of this event; then a shorter step must find z there. A body that starts on its
  * wall counts as one that has just hit it. */
@@ -219,10 +238,8 @@ static int find_passing(const fvi_stepper *s, const fvi_variable_step_state *o,
     int is_seen = w->has_hit[i] == 0 && !on_wall;
     fvi_event_places places;
     w->theta[i] = INFINITY;
-    if (w->closed[i] != 0) {
-        fvi_variable_step_find_lift_off(s, o, i);
-        return FVI_SUCCESS;
-    }
+    if (w->closed[i] != 0)
+        return find_lift_off(s, o, i);
     const int status = fvi_event_places_of(s, o, i, &places);
     for (size_t n = 0; !status && n < places.count; n++) {
         const double sign = fvi_event_sign(w, i, places.z[n]), here = places.theta[n];

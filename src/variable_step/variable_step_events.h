@@ -87,9 +87,6 @@ int fvi_variable_step_handle_events(fvi_stepper *s, fvi_variable_step_state *o);
  * fvi_variable_step_normal_force -- return the force of a closed contact at theta of the step that has been tried; > 0
  * if it pushes.
  *
- * fvi_variable_step_find_lift_off -- write to w->theta[i] where this force passes 0 in that step: 0 if the contact is
- * under tension at the start of the step, INFINITY if it pushes at all stages.
- *
  * The functions with a code return FVI_SUCCESS, or the codes of fvi_variable_step_handle_events. */
 int fvi_variable_step_close_contact(fvi_stepper *s, fvi_variable_step_state *o, size_t i);
 int fvi_variable_step_open_contact(fvi_stepper *s, fvi_variable_step_state *o, size_t i);
@@ -99,7 +96,6 @@ int fvi_variable_step_start_contacts(fvi_stepper *s, fvi_variable_step_state *o)
 int fvi_variable_step_check_contacts(fvi_stepper *s, fvi_variable_step_state *o);
 double fvi_variable_step_normal_force(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i,
                                       double theta);
-void fvi_variable_step_find_lift_off(const fvi_stepper *s, const fvi_variable_step_state *o, size_t i);
 
 /* fvi_variable_step_note_event -- record an event. Returns FVI_SUCCESS or FVI_ENOMEM.
  *
