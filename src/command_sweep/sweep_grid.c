@@ -35,7 +35,7 @@ enum { AHEAD = 2 + FVI_MOST_AXES };
 int sweep_grid_options(const sweep_grid *g, size_t i, fvi_options *o,
                        fvi_error *c)
 {
-    /* The words are static, because getopt needs words that it may write to, and o keeps pointers to them. */
+    /* The words are static, because o keeps pointers to them. */
     static char fvi[] = "fvi", run[] = "run", word[FVI_MOST_AXES][140];
     char value[32];
     char **words = g->words + (FVI_MOST_AXES - g->count);

@@ -1,5 +1,4 @@
 /* src/options/fvi_options.c -- Parse the command line of build/fvi. */
-#define _GNU_SOURCE /* for getopt_long */
 #include "fvi_options.h"
 #include "fvi_mechanism_options.h"
 #include "input/fvi_problem_words.h"
@@ -7,7 +6,6 @@
 #include <fvi/convolution_quadrature_methods.h>
 #include <fvi/variable_steps.h>
 
-#include <getopt.h>
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
@@ -66,93 +64,72 @@ static int refuse_unknown(const fvi_options *o, const char *given, fvi_error *c)
 }
 
 /* Add the value of an option that may be repeated to the end of its text. */
-static int append(fvi_options *o, option_index i, const char *between,
+static int append(fvi_options *o, option_index i, const char *between, const char *value,
                   char *text, size_t size, fvi_error *c)
 {
     const size_t used = strlen(text), room = size - used;
     const int length = snprintf(text + used, room, "%s%s",
-                                used > 0 ? between : "", optarg);
+                                used > 0 ? between : "", value);
     o->text[i] = text;
     return (size_t)length < room
                ? 0
                : fvi_refuse(c, fvi_option_list[i].name, "'%s': too many %s",
-                            optarg, i == LET ? "parameters" : "terms");
+                            value, i == LET ? "parameters" : "terms");
 }
 
-/* Return nonzero if the value is in the same word, as in --h=1 or -oFILE. */
-static int is_with_value(const char *given)
+static int set_option(fvi_options *o, option_index i, const char *value, fvi_error *c)
 {
-    return given[1] == '-' ? strchr(given, '=') != NULL : given[2] != '\0';
+    if (i == LET) /* --let k=3 --let c=1 is --let k=3,c=1 */
+        return append(o, LET, ",", value, o->let_text, sizeof o->let_text, c);
+    if (i == DAMPING) /* laws are added */
+        return append(o, DAMPING, " + ", value, o->damping_text,
+                      sizeof o->damping_text, c);
+    if (fvi_is_listed(i))
+        return fvi_list_option(o, i, value, c);
+    return fvi_word_once(i == OUTPUT ? "-" : "--", fvi_option_list[i].name,
+                         &o->text[i], value, c);
 }
 
-/* Take an option with its value. A long name must be written in full. */
-static int set_option(fvi_options *o, int found, const char *given, fvi_error *c)
+/* Take the option `given`. Its value stands behind =, of -o behind the letter, or is the next word, which is NULL at the
+ * end. *takes_next becomes nonzero if it is the next word. */
+static int read_option(fvi_options *o, const char *given, const char *next, int *takes_next, fvi_error *c)
 {
-    if (found == '?')
-        return refuse_unknown(o, given, c);
-    /* ":" says that the value is missing, also for a shortened name such as --alph. */
-    const int is_without_value = found == ':';
-    if (is_without_value)
-        found = optopt == 'o' ? 256 + OUTPUT : optopt;
-    option_index i = (option_index)(found - 256);
-    if (i != OUTPUT && !fvi_word_is_option(given, fvi_option_list[i].name))
+    const int is_output = strncmp(given, "-o", 2) == 0;
+    const option_index i = is_output ? OUTPUT : fvi_option_named(given);
+    const char *equals = strchr(given, '='), *value = equals ? equals + 1 : NULL;
+    if (i == OPTIONS || (i == CONTINUE && equals))
         return refuse_unknown(o, given, c);
     if (!fvi_option_is_known(o->command, i))
         return fvi_refuse(c, NULL, "%s%s: not an option of this command",
-                          i == OUTPUT ? "-" : "--", fvi_option_list[i].name);
-    if (i == CONTINUE)
-        optarg = "";
-    else if (is_without_value || !is_with_value(given)) {
-        const int status = fvi_value_is_missing(given, is_without_value ? NULL : optarg, c);
-        if (status)
-            return status;
-    }
-    if (i == LET) /* --let k=3 --let c=1 is --let k=3,c=1 */
-        return append(o, LET, ",", o->let_text, sizeof o->let_text, c);
-    if (i == DAMPING) /* laws are added */
-        return append(o, DAMPING, " + ", o->damping_text,
-                      sizeof o->damping_text, c);
-    if (fvi_is_listed(i))
-        return fvi_list_option(o, i, optarg, c);
-    return fvi_word_once(i == OUTPUT ? "-" : "--", fvi_option_list[i].name,
-                         &o->text[i], optarg, c);
+                          is_output ? "-" : "--", fvi_option_list[i].name);
+    if (is_output)
+        value = given[2] ? given + 2 : NULL;
+    else if (i == CONTINUE)
+        value = "";
+    *takes_next = value == NULL;
+    if (*takes_next && fvi_value_is_missing(given, next, c))
+        return FVI_EINVAL;
+    return set_option(o, i, value ? value : next, c);
 }
 
 /* Take the words after the command into o->text. If --help or -h is among them, the command becomes help. */
 static int read_words(fvi_options *o, int count, char **words, fvi_error *c)
 {
-    struct option longs[OPTIONS + 1] = { { 0 } };
-    for (int i = 0; i < OUTPUT; i++)
-        longs[i] =
-            (struct option){ fvi_option_list[i].name,
-                             i == CONTINUE ? no_argument : required_argument,
-                             NULL, 256 + i };
-    longs[OUTPUT] = (struct option){ "help", no_argument, NULL, 256 + OPTIONS };
-
-    optind = 0; /* getopt begins anew, whoever parsed before */
-    opterr = 0;
-    for (;;) {
-        const int next = optind ? optind : 1;
-        const char *given = next < count ? words[next] : NULL;
-        int found = getopt_long(count, words, "+:o:h", longs, NULL);
-        if (found == -1)
-            break;
-        if ((found == 256 + OPTIONS || found == 'h') && is_help(given)) {
+    int status = 0, takes_next = 0;
+    for (int n = 0; n < count && !status; n += 1 + takes_next) {
+        const char *word = words[n], *next = n + 1 < count ? words[n + 1] : NULL;
+        if (is_help(word)) {
             o->about = o->command;
             o->command = FVI_COMMAND_HELP;
             return 0;
         }
-        found = found == 'o' ? 256 + OUTPUT
-                : found == 256 + OPTIONS || found == 'h'
-                    ? '?' /* --hel and -h0.1 are no help */
-                    : found;
-        int status = set_option(o, found, given, c);
-        if (status)
-            return status;
+        if (strcmp(word, "--") == 0 && !next) /* the end of the options */
+            return 0;
+        if (*word != '-' || !word[1])
+            return fvi_refuse(c, NULL, "'%s': not expected here", word);
+        status = read_option(o, word, next, &takes_next, c);
     }
-    return optind < count
-               ? fvi_refuse(c, NULL, "'%s': not expected here", words[optind])
-               : 0;
+    return status;
 }
 
 /* With --system, these options are replaced by the files of the folder: they are refused, and have no presets. */
@@ -250,7 +227,7 @@ int fvi_options_parse(int argc, char **argv, fvi_options *o, fvi_error *c)
         return 0;
     }
     if (!status)
-        status = read_words(o, argc - 1 - about, argv + 1 + about, c);
+        status = read_words(o, argc - 2 - about, argv + 2 + about, c);
     if (!status && fvi_option_is_known(o->command, OPTIONS))
         status = fill_in(o, c);
     return !status && fvi_option_is_known(o->command, OPTIONS)
