@@ -12,8 +12,10 @@
 #include <strings.h>
 
 /* The options whose values are lists, in the order of o->list. */
-static const option_index listed[FVI_LISTS] = { DAMPER, CONSTRAINT, IMPOSE,
-                                                FORCE_ON, EVENT };
+static const option_index listed[FVI_LISTS] = { DAMPER, CONSTRAINT, IMPOSE, FORCE_ON, EVENT, LET, DAMPING };
+
+/* What stands between two values in the text of all of them. Parameters are a list, and laws are added. */
+static const char *const between[FVI_LISTS] = { "; ", "; ", "; ", "; ", "; ", ",", " + " };
 
 static size_t index_of_list(option_index i)
 {
@@ -28,14 +30,14 @@ int fvi_is_listed(option_index i)
     return index_of_list(i) < FVI_LISTS;
 }
 
-/* Add a value to the list of its option. The head of the table shows all values, with semicolons between them. */
 int fvi_list_option(fvi_options *o, option_index i, const char *value,
                     fvi_error *c)
 {
-    fvi_option_values *list = &o->list[index_of_list(i)];
+    const size_t n = index_of_list(i);
+    fvi_option_values *list = &o->list[n];
     const size_t used = strlen(list->text), room = sizeof list->text - used;
     const int length = snprintf(list->text + used, room, "%s%s",
-                                used > 0 ? "; " : "", value);
+                                used > 0 ? between[n] : "", value);
     if (list->count == FVI_MOST_LISTED || (size_t)length >= room)
         return fvi_refuse(c, fvi_option_list[i].name, "'%s': too many of them", value);
     list->value[list->count++] = value;

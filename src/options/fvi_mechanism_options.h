@@ -9,7 +9,7 @@
 /* fvi_is_listed -- Return nonzero for an option that may be given several times, each time with another value. */
 int fvi_is_listed(option_index i);
 
-/* fvi_list_option -- Add a value to the list of option i. */
+/* fvi_list_option -- Add a value to the list of option i, and to the text of all its values, which the head shows. */
 int fvi_list_option(fvi_options *o, option_index i, const char *value,
                     fvi_error *c);
 

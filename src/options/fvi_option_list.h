@@ -32,7 +32,7 @@ extern const char *const fvi_format_names[]; /* in this order, ended by NULL */
 
 /* The values of an option that may be given several times, and all values in one text. There are FVI_LISTS such
  * options, of which the first FVI_OF_MECHANISM describe a mechanism. Each has at most FVI_MOST_LISTED values. */
-enum { FVI_LISTS = 5, FVI_OF_MECHANISM = 4, FVI_MOST_LISTED = 64 };
+enum { FVI_LISTS = 7, FVI_OF_MECHANISM = 4, FVI_MOST_LISTED = 64 };
 typedef struct {
     size_t count;
     const char *value[FVI_MOST_LISTED];
@@ -59,7 +59,7 @@ typedef struct {
     fvi_directory *directory;   /* matrices instead of the lists below, or NULL */
     size_t *shown, shown_count; /* the coordinates whose x, p, y are columns, counted from 0 */
     fvi_typed_mechanism *mechanism; /* NULL if there is no mechanism */
-    fvi_option_values list[FVI_LISTS]; /* --damper, --constraint, --impose, --force-on; --event */
+    fvi_option_values list[FVI_LISTS]; /* --damper, --constraint, --impose, --force-on; --event; --let; --damping */
     fvi_typed_events *events; /* NULL if there are none */
     int method_is_preset;
     int potential_has_time; /* then the potential becomes a part of a Lagrangian */
@@ -81,8 +81,6 @@ typedef struct {
     int resume;                   /* nonzero: go on from the checkpoint */
     const char *output;   /* points into argv, or NULL for standard output */
     const char *text[64]; /* value of each option, given or by default, by index */
-    char let_text[1024];     /* all values of --let, with commas between them */
-    char damping_text[4096]; /* all values of --damping, with " + " between them */
     char step[32];  /* text of the step that follows from --time */
     char count_text[32]; /* text of the number of steps that follows from --h and --time */
     int steps_follow;    /* nonzero if the number of steps follows from them */

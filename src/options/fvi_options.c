@@ -6,7 +6,6 @@
 #include <fvi/convolution_quadrature_methods.h>
 #include <fvi/variable_steps.h>
 
-#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 
@@ -63,33 +62,6 @@ static int refuse_unknown(const fvi_options *o, const char *given, fvi_error *c)
     return fvi_refuse_option(c, given, names);
 }
 
-/* Add the value of an option that may be repeated to the end of its text. */
-static int append(fvi_options *o, option_index i, const char *between, const char *value,
-                  char *text, size_t size, fvi_error *c)
-{
-    const size_t used = strlen(text), room = size - used;
-    const int length = snprintf(text + used, room, "%s%s",
-                                used > 0 ? between : "", value);
-    o->text[i] = text;
-    return (size_t)length < room
-               ? 0
-               : fvi_refuse(c, fvi_option_list[i].name, "'%s': too many %s",
-                            value, i == LET ? "parameters" : "terms");
-}
-
-static int set_option(fvi_options *o, option_index i, const char *value, fvi_error *c)
-{
-    if (i == LET) /* --let k=3 --let c=1 is --let k=3,c=1 */
-        return append(o, LET, ",", value, o->let_text, sizeof o->let_text, c);
-    if (i == DAMPING) /* laws are added */
-        return append(o, DAMPING, " + ", value, o->damping_text,
-                      sizeof o->damping_text, c);
-    if (fvi_is_listed(i))
-        return fvi_list_option(o, i, value, c);
-    return fvi_word_once(i == OUTPUT ? "-" : "--", fvi_option_list[i].name,
-                         &o->text[i], value, c);
-}
-
 /* Take the option `given`. Its value stands behind =, of -o behind the letter, or is the next word, which is NULL at the
  * end. *takes_next becomes nonzero if it is the next word. */
 static int read_option(fvi_options *o, const char *given, const char *next, int *takes_next, fvi_error *c)
@@ -109,7 +81,9 @@ static int read_option(fvi_options *o, const char *given, const char *next, int 
     *takes_next = value == NULL;
     if (*takes_next && fvi_value_is_missing(given, next, c))
         return FVI_EINVAL;
-    return set_option(o, i, value ? value : next, c);
+    value = value ? value : next;
+    return fvi_is_listed(i) ? fvi_list_option(o, i, value, c)
+                            : fvi_word_once(is_output ? "-" : "--", fvi_option_list[i].name, &o->text[i], value, c);
 }
 
 /* Take the words after the command into o->text. If --help or -h is among them, the command becomes help. */
