@@ -5,27 +5,14 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdint.h>
 #include <stdio.h>
-
-static int number(const fvi_options *o, option_index i, double *value,
-                  fvi_error *c)
-{
-    return fvi_parse_number(fvi_option_list[i].name, o->text[i], 0, INFINITY,
-                            "()", value, c);
-}
-
-static int count_steps(fvi_options *o, fvi_error *c)
-{
-    return fvi_parse_whole("steps", o->text[STEPS], SIZE_MAX / 2, &o->steps, c);
-}
 
 /* Interpret --h H and --time T: there are T/H steps. If --steps is given, it must agree. */
 static int interpret_step_and_time(fvi_options *o, fvi_error *c)
 {
-    int status = number(o, H, &o->h, c);
+    int status = fvi_option_number(o, H, 0, INFINITY, "()", &o->h, c);
     if (!status)
-        status = number(o, TIME, &o->time, c);
+        status = fvi_option_number(o, TIME, 0, INFINITY, "()", &o->time, c);
     if (status)
         return status;
     const double steps = o->time / o->h, whole_steps = round(steps);
@@ -34,7 +21,7 @@ static int interpret_step_and_time(fvi_options *o, fvi_error *c)
     if (!(whole_steps >= 1 && fabs(steps - whole_steps) <= 1e-9 * whole_steps))
         return fvi_refuse(c, "time", "'%s' is not a whole number of steps of --h %s", o->text[TIME], o->text[H]);
     if (o->text[STEPS]) {
-        status = count_steps(o, c);
+        status = fvi_option_whole(o, STEPS, &o->steps, c);
         return status || (double)o->steps == whole_steps
                    ? status
                    : fvi_refuse(c, "steps", "'%s' is not %.0f, which --time by --h is", o->text[STEPS], whole_steps);
@@ -50,18 +37,18 @@ int fvi_options_grid(fvi_options *o, fvi_error *c)
 {
     if (o->text[H] && o->text[TIME])
         return interpret_step_and_time(o, c);
-    int status = count_steps(o, c);
+    int status = fvi_option_whole(o, STEPS, &o->steps, c);
     if (status || !o->text[TIME])
-        return status ? status : number(o, H, &o->h, c);
-    double time = 0;
-    status = number(o, TIME, &time, c);
-    o->time = time;
-    o->h = time / (double)o->steps;
-    if (!status && !(o->h > 0))
+        return status ? status : fvi_option_number(o, H, 0, INFINITY, "()", &o->h, c);
+    status = fvi_option_number(o, TIME, 0, INFINITY, "()", &o->time, c);
+    if (status)
+        return status;
+    o->h = o->time / (double)o->steps;
+    if (!(o->h > 0))
         return fvi_refuse(c, "time", "'%s' is too short for so many steps", o->text[TIME]);
     fvi_format_double(o->h, o->step);
     o->text[H] = o->step; /* the head contains the step that follows */
-    return status;
+    return 0;
 }
 
 /* Refuse a force that jumps between two rows, because no estimate of the error can see such a jump. A method that ends

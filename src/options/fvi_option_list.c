@@ -3,6 +3,7 @@
 #include "input/fvi_problem_words.h"
 
 #include <ctype.h>
+#include <stdint.h>
 #include <string.h>
 
 const char *const fvi_format_names[] = { "tsv", "csv", "json", NULL };
@@ -86,6 +87,17 @@ int fvi_value_is_missing(const char *given, const char *next, fvi_error *c)
     return strcmp(next, "-o") == 0 || (strncmp(next, "--", 2) == 0 && isalpha((unsigned char)next[2]))
                ? fvi_refuse(c, NULL, "%s: a value is missing before '%s'", given, next)
                : 0;
+}
+
+int fvi_option_number(const fvi_options *o, option_index i, double low, double high, const char *brackets,
+                      double *value, fvi_error *c)
+{
+    return fvi_parse_number(fvi_option_list[i].name, o->text[i], low, high, brackets, value, c);
+}
+
+int fvi_option_whole(const fvi_options *o, option_index i, size_t *value, fvi_error *c)
+{
+    return fvi_parse_whole(fvi_option_list[i].name, o->text[i], SIZE_MAX / 2, value, c);
 }
 
 int fvi_options_describe(const fvi_options *o, size_t i, const char **name,

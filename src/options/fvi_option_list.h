@@ -156,6 +156,13 @@ option_index fvi_option_named(const char *word);
  * like an option must follow =, and a file of such a name can be given as ./NAME. Return 0 if there is a value. */
 int fvi_value_is_missing(const char *given, const char *next, fvi_error *c);
 
+/* fvi_option_number -- Read the number of option i; see fvi_parse_number.
+ * fvi_option_whole -- Read its whole number. It is at most half of SIZE_MAX, because numbers of rows are added and
+ * doubled. */
+int fvi_option_number(const fvi_options *o, option_index i, double low, double high, const char *brackets,
+                      double *value, fvi_error *c);
+int fvi_option_whole(const fvi_options *o, option_index i, size_t *value, fvi_error *c);
+
 /* fvi_options_describe -- Find the name and the value of option number i of a command, in the order of the manual.
  * Return 0 if there is no option i. */
 int fvi_options_describe(const fvi_options *o, size_t i, const char **name,

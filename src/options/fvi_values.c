@@ -10,26 +10,9 @@
 #include <fvi/fvi.h>
 
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-
-/* Read the number of option i; see fvi_parse_number. */
-static int number(const fvi_options *o, option_index i, double low, double high,
-                  const char *brackets, double *value, fvi_error *c)
-{
-    return fvi_parse_number(fvi_option_list[i].name, o->text[i], low, high,
-                           brackets, value, c);
-}
-
-/* Read the whole number of option i. It is at most half of SIZE_MAX, because numbers of rows are added and doubled. */
-static int whole(const fvi_options *o, option_index i, size_t *value,
-                 fvi_error *c)
-{
-    return fvi_parse_whole(fvi_option_list[i].name, o->text[i], SIZE_MAX / 2,
-                          value, c);
-}
 
 /* Read a word of a list. The text of the option becomes the chosen word in small letters, as the head shows it. */
 static int choose_word(fvi_options *o, option_index i, const char *const *words,
@@ -46,7 +29,7 @@ static int choose_word(fvi_options *o, option_index i, const char *const *words,
 
 static int interpret_error(fvi_options *o, fvi_error *c)
 {
-    int status = number(o, ERROR, 0, INFINITY, "()", &o->error, c);
+    int status = fvi_option_number(o, ERROR, 0, INFINITY, "()", &o->error, c);
     if (!status)
         status = fvi_options_refuse_jumps(o, FORCE, o->force, c);
     return status || !o->ground
@@ -64,8 +47,8 @@ static int interpret_of_steps(fvi_options *o, option_index i, double *value,
                           fvi_option_list[i].name, "'%s' is not for %s, whose steps are "
                           "given; fvi-adaptive chooses its own", o->text[i], o->method->name);
     return !o->text[i]       ? 0
-           : i == MOST_STEPS ? whole(o, i, &o->most_steps, c)
-                             : number(o, i, 0, INFINITY, "()", value, c);
+           : i == MOST_STEPS ? fvi_option_whole(o, i, &o->most_steps, c)
+                             : fvi_option_number(o, i, 0, INFINITY, "()", value, c);
 }
 
 /* Return nonzero if fvi-adaptive is the method of a structure with --error: no method is named, and fvi-adaptive takes
@@ -111,9 +94,9 @@ static int interpret_method(fvi_options *o, fvi_error *c)
 static int interpret_run(fvi_options *o, fvi_error *c)
 {
     size_t which;
-    int status = number(o, KAPPA, 0, 1, "[]", &o->kappa, c);
+    int status = fvi_option_number(o, KAPPA, 0, 1, "[]", &o->kappa, c);
     if (!status)
-        status = number(o, TOLERANCE, 1e-14, 1, "[)", &o->tolerance, c);
+        status = fvi_option_number(o, TOLERANCE, 1e-14, 1, "[)", &o->tolerance, c);
     if (!status)
         status = choose_word(o, MEMORY, fvi_history_words, &which, c);
     if (status)
@@ -160,7 +143,7 @@ static int interpret_trajectory(fvi_options *o, fvi_error *c)
         status = fvi_refuse(c, "derivative", "'%s' is not for --damping; held is, and caputo for orders up to 1",
                             o->text[DERIVATIVE]);
     if (!status)
-        status = whole(o, EVERY, &o->every, c);
+        status = fvi_option_whole(o, EVERY, &o->every, c);
     if (!status)
         status = fvi_problem_unknowns(o, c);
     if (!status)
@@ -251,14 +234,14 @@ static int interpret(fvi_options *o, fvi_error *c)
     int only_weights = o->command == FVI_COMMAND_COEFFICIENTS;
     o->alpha = 0.5;
     if (o->text[ALPHA])
-        status = number(o, ALPHA, 0, only_weights ? 2 : 1, "[]", &o->alpha, c);
+        status = fvi_option_number(o, ALPHA, 0, only_weights ? 2 : 1, "[]", &o->alpha, c);
     if (o->text[ORDER]) {
-        status = number(o, ORDER, 0, only_weights ? 4 : 2, "[]", &o->alpha, c);
+        status = fvi_option_number(o, ORDER, 0, only_weights ? 4 : 2, "[]", &o->alpha, c);
         o->alpha /= 2;
     }
     if (status)
         return status;
-    return only_weights ? whole(o, COUNT, &o->count, c)
+    return only_weights ? fvi_option_whole(o, COUNT, &o->count, c)
                         : interpret_trajectory(o, c);
 }
 
@@ -292,23 +275,13 @@ void fvi_options_free(fvi_options *o)
     fvi_typed_damping_free(&o->damping);
     fvi_typed_force_free(o->force);
     fvi_ground_free(o->ground);
-    o->ground = NULL;
     fvi_typed_mechanism_free(o->mechanism);
-    o->mechanism = NULL;
     fvi_typed_events_free(o->events);
-    o->events = NULL;
     fvi_directory_close(o->directory);
     free(o->shown);
     fvi_typed_columns_free(o->typed);
     free(o->column_source);
     free(o->typed_row);
-    o->typed = NULL;
-    o->column_source = NULL;
-    o->typed_row = NULL;
-    o->x0 = o->p0 = o->mass = o->rho = NULL;
     fvi_shared_close(o->library);
-    o->library = NULL;
-    o->force = NULL;
-    o->directory = NULL;
-    o->shown = NULL;
+    *o = (fvi_options){ .command = o->command, .about = o->about };
 }
