@@ -50,6 +50,13 @@ int fvi_parse_numbers(const char *field, const char *text, double low,
 int fvi_parse_word(const char *field, const char *text,
                    const char *const *words, size_t *which, fvi_error *error);
 
+/* fvi_scan_word -- Return which of the words, ended by NULL, the first `length` letters of the text are, from 0. Capitals
+ * count as small letters. Return the number of words if they are none of them. Nothing is reported.
+ *
+ *     const char *const words[] = { "held", "caputo", NULL };
+ *     fvi_scan_word("Held:1", 4, words); // 0 */
+size_t fvi_scan_word(const char *text, size_t length, const char *const *words);
+
 /* fvi_list_item -- Return the length of the first item of a list with commas. A comma within parentheses, as in
  * max(x1,x2), does not separate items. */
 size_t fvi_list_item(const char *text);

@@ -2,22 +2,18 @@
 #include "band.h"
 
 #include "system/fail.h"
+#include "system/larger.h"
 
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-static size_t smaller_of(size_t a, size_t b)
-{
-    return a < b ? a : b;
-}
-
 int fvi_band_alloc(size_t n, size_t w, fvi_band *J)
 {
     const int full = 3 * w + 1 >= n;
     const size_t row = full ? n : 3 * w + 1;
-    *J = (fvi_band){ .n = n, .w = smaller_of(w, n - 1) };
+    *J = (fvi_band){ .n = n, .w = smaller_count(w, n - 1) };
     if (n > SIZE_MAX / sizeof(double) / row)
         return FVI_ENOMEM;
     J->stride = full ? n : 3 * w;
@@ -71,10 +67,10 @@ int fvi_band_factorise(fvi_band *J)
     }
     size_t right = 0; /* first column behind the nonzero entries of the rows up to k */
     for (size_t k = 0; k < J->n; k++) {
-        const size_t below = smaller_of(J->n, k + J->w + 1);
+        const size_t below = smaller_count(J->n, k + J->w + 1);
         const size_t p = J->pivot[k] = pivot_row(J, k, below);
         double *top = fvi_band_row(J, k), *other = fvi_band_row(J, p);
-        right = right > p + J->w + 1 ? right : smaller_of(J->n, p + J->w + 1);
+        right = right > p + J->w + 1 ? right : smaller_count(J->n, p + J->w + 1);
         if (other[k] == 0)
             return FVI_ESING;
         for (size_t j = k; p != k && j < right; j++) {
@@ -102,7 +98,7 @@ void fvi_band_solve(const fvi_band *J, double *v)
         return;
     }
     for (size_t k = 0; k < n; k++) {
-        const size_t below = smaller_of(n, k + w + 1), p = J->pivot[k];
+        const size_t below = smaller_count(n, k + w + 1), p = J->pivot[k];
         double top = v[p];
         v[p] = v[k];
         v[k] = top;
@@ -110,7 +106,7 @@ void fvi_band_solve(const fvi_band *J, double *v)
             v[i] -= fvi_band_row(J, i)[k] * top;
     }
     for (size_t k = n; k-- > 0;) {
-        const size_t right = smaller_of(n, k + 2 * w + 1);
+        const size_t right = smaller_count(n, k + 2 * w + 1);
         const double *row = fvi_band_row(J, k);
         double sum = v[k];
         for (size_t j = k + 1; j < right; j++)

@@ -80,9 +80,7 @@ static int check_named_columns(const fvi_options *o, fvi_error *c)
 {
     for (const char *at = o->text[COLUMNS]; *at;) {
         char name[64] = "";
-        size_t length = 0, named = strcspn(at, "=,(");
-        for (int depth = 0; at[length] && (depth > 0 || at[length] != ','); length++)
-            depth += (at[length] == '(') - (at[length] == ')');
+        const size_t length = fvi_list_item(at), named = strcspn(at, "=,(");
         snprintf(name, sizeof name, "%.*s", (int)(named < 60 ? named : 60), at);
         if (at[named] != '=' || !fvi_text_speaks_of(o->text[REDUCE], name))
             return fvi_refuse(c, "columns", "'%.*s' is of no use to --reduce, which has one row; NAME=EXPRESSION is, "

@@ -7,7 +7,6 @@
 #include <fvi/variable_steps.h>
 
 #include <string.h>
-#include <strings.h>
 
 static int is_help(const char *word)
 {
@@ -28,25 +27,19 @@ const char *fvi_command_name(fvi_command command)
 
 const char *fvi_command_of_word(const char *word)
 {
-    for (size_t i = 0; commands[i]; i++)
-        if (strcasecmp(word, commands[i]) == 0)
-            return commands[i];
-    return "help";
+    const char *command = commands[fvi_scan_word(word, strlen(word), commands)];
+    return command ? command : "help";
 }
 
 static int command_of(const char *name, fvi_command *command, fvi_error *c)
 {
-    for (size_t i = 0; commands[i]; i++)
-        if (strcasecmp(name, commands[i]) == 0) {
-            *command = is_help(name) ? FVI_COMMAND_HELP : (fvi_command)i;
-            return 0;
-        }
-    static const char *const all[] = {
-        "run",  "exact",        "fit",    "sweep",     "gradient", "methods",
-        "help", "coefficients", "response", "poles", "--help", "--version", NULL
-    };
+    const size_t i = fvi_scan_word(name, strlen(name), commands);
     char place[64];
-    return fvi_refuse(c, NULL, "'%s' is not a command%s", name, fvi_word_hint(name, strlen(name), all, place));
+    if (!commands[i])
+        return fvi_refuse(c, NULL, "'%s' is not a command%s", name,
+                          fvi_word_hint(name, strlen(name), commands, place));
+    *command = is_help(commands[i]) ? FVI_COMMAND_HELP : (fvi_command)i;
+    return 0;
 }
 
 /* Refuse a word that is no option of this command. */

@@ -4,7 +4,6 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 int fvi_is_one_of(const char *word, const char *const *words)
 {
@@ -23,17 +22,6 @@ int fvi_word_once(const char *dashes, const char *name, const char **text,
 }
 
 const char *const fvi_column_names[] = { "t", "x", "p", "energy", "y", NULL };
-
-/* Return the plain column with this name, or FVI_COLUMN_TYPED if there is none. */
-static fvi_column column_named(const char *at, size_t length)
-{
-    size_t i = 0;
-    while (fvi_column_names[i]
-           && (strlen(fvi_column_names[i]) != length
-               || strncasecmp(at, fvi_column_names[i], length) != 0))
-        i++;
-    return (fvi_column)i;
-}
 
 /* Add a column that is an expression or another name. */
 static int parse_typed_column(const char *at, size_t length,
@@ -57,7 +45,7 @@ int fvi_word_columns(const char *text, fvi_user_parameters *parameters,
 {
     for (const char *at = text;; at++) {
         const size_t length = fvi_list_item(at);
-        const fvi_column i = column_named(at, length);
+        const fvi_column i = (fvi_column)fvi_scan_word(at, length, fvi_column_names);
         int status = 0;
         if (length == 0)
             return fvi_refuse(c, "columns", "'%s': a column is missing", text);

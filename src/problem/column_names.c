@@ -1,5 +1,6 @@
 /* src/problem/column_names.c -- Find the quantity of a column by its name. */
 #include "columns_state.h"
+#include "words.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,21 +21,6 @@ static const char *const of_damper[] = { "force", "impulse", "work" };
 static int is_word(const char *name, size_t length, const char *word)
 {
     return strlen(word) == length && strncmp(name, word, length) == 0;
-}
-
-/* Return the number at the end of a name such as x12, counted from 0. Return `most` or more if there is none below
- * `most`. */
-static size_t index_of(const char *at, size_t length, size_t most)
-{
-    size_t i = 0;
-    if (length == 0 || length > 9 || *at == '0')
-        return most;
-    for (size_t n = 0; n < length; n++) {
-        if (at[n] < '0' || at[n] > '9')
-            return most;
-        i = 10 * i + (size_t)(at[n] - '0');
-    }
-    return i - 1;
 }
 
 static size_t damper_count(const fvi_typed_columns *c)
@@ -89,7 +75,7 @@ static int find_damper_quantity(const fvi_typed_columns *c, const char *name,
         q->kind = (fvi_quantity_kind)(QUANTITY_FORCE + n);
         const size_t width = fvi_quantity_width(c, q);
         *is_all = left == stem && width > 1;
-        q->i = left == stem ? 0 : index_of(word + stem, left - stem, width);
+        q->i = left == stem ? 0 : fvi_scan_index(word + stem, left - stem, width);
         return q->i < width && (left == stem || q->kind != QUANTITY_DAMPER_WORK);
     }
     return 0;
@@ -110,7 +96,7 @@ static int find_constraint_quantity(const fvi_typed_columns *c, const char *name
         *is_all = n == 0 && length == stem && count > 1;
         q->i = length == stem
                    ? 0
-                   : index_of(name + stem, length - stem, n ? c->source->d : count);
+                   : fvi_scan_index(name + stem, length - stem, n ? c->source->d : count);
         if (n == 0)
             return q->i < count;
         const size_t coordinate = q->i + 1;
@@ -140,7 +126,7 @@ static int find_event_quantity(const fvi_typed_columns *c, const char *name, siz
         q->kind = QUANTITY_CONTACT;
     else
         return 0;
-    q->i = index_of(name + stem, before - stem, c->source->events);
+    q->i = fvi_scan_index(name + stem, before - stem, c->source->events);
     return q->i < c->source->events;
 }
 
@@ -166,7 +152,7 @@ int fvi_find_quantity(const fvi_typed_columns *c, const char *name,
         }
         if (plain[n].is_vector && length > stem
             && strncmp(name, plain[n].name, stem) == 0
-            && (q->i = index_of(name + stem, length - stem, d)) < d)
+            && (q->i = fvi_scan_index(name + stem, length - stem, d)) < d)
             return 1;
     }
     return find_constraint_quantity(c, name, length, q, is_all)

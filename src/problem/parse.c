@@ -3,6 +3,7 @@
 #include "data.h"
 #include "system/lines.h"
 #include "system/fail.h"
+#include "system/larger.h"
 
 #include <fvi/format_double.h>
 #include <fvi/methods.h>
@@ -133,6 +134,19 @@ int fvi_scan_call(const char *text, const char *word, int count, double *p)
     return *text == '\0';
 }
 
+size_t fvi_scan_index(const char *digits, size_t length, size_t most)
+{
+    size_t i = 0;
+    if (length == 0 || length > 9 || *digits == '0')
+        return most;
+    for (size_t n = 0; n < length; n++) {
+        if (!isdigit((unsigned char)digits[n]))
+            return most;
+        i = 10 * i + (size_t)(digits[n] - '0');
+    }
+    return i <= most ? i - 1 : most;
+}
+
 /* ---- words ---- */
 
 size_t fvi_scan_word(const char *text, size_t length, const char *const *words)
@@ -169,11 +183,6 @@ int fvi_parse_word(const char *field, const char *text,
 
 enum { LONGEST = 31 /* longest word that is compared */ };
 
-static size_t smaller_of(size_t a, size_t b)
-{
-    return a < b ? a : b;
-}
-
 /* Return how many letters must be inserted, deleted, replaced or swapped with their neighbour to turn the first n
  * letters of a into b (the distance of Damerau and Levenshtein). Capitals count as small letters. */
 static size_t edit_distance(const char *a, size_t n, const char *b)
@@ -188,10 +197,10 @@ static size_t edit_distance(const char *a, size_t n, const char *b)
         for (size_t j = 1; j <= m; j++) {
             const int x = tolower((unsigned char)a[i - 1]), y = b[j - 1];
             now[j] =
-                smaller_of(last[j - 1] + (x != y), 1 + smaller_of(last[j], now[j - 1]));
+                smaller_count(last[j - 1] + (x != y), 1 + smaller_count(last[j], now[j - 1]));
             if (i > 1 && j > 1 && x == b[j - 2]
                 && y == tolower((unsigned char)a[i - 2]))
-                now[j] = smaller_of(now[j], before[j - 2] + 1);
+                now[j] = smaller_count(now[j], before[j - 2] + 1);
         }
         size_t *oldest = before;
         before = last;
@@ -215,7 +224,7 @@ const char *fvi_nearest_word(const char *text, size_t length,
 {
     /* Allow one error in up to four letters, and one more for each three further letters. A word that was not typed to
      * the end counts as one error. Something of the word must be left. */
-    size_t best = smaller_of(length, 2 + (length > 4) * (length - 2) / 3);
+    size_t best = smaller_count(length, 2 + (length > 4) * (length - 2) / 3);
     const char *nearest = NULL;
     for (; *words && length <= LONGEST; words++) {
         size_t far = strlen(*words) > LONGEST ? best

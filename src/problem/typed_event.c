@@ -31,26 +31,18 @@ struct fvi_typed_events {
 static int find_name(const char *name, size_t length, void *params)
 {
     typed_event *e = params;
-    const size_t d = e->d;
+    const size_t d = e->d, i = length == 1 && d == 1 ? 0 : fvi_scan_index(name + 1, length - 1, d);
     static const char kinds[] = "xvp";
     const char *kind = memchr(kinds, *name, 3);
-    size_t i = 0;
     if (length == 1 && *name == 't') {
         e->has_variable = 1;
         return (int)(3 * d);
     }
-    if (!kind || length > 9 || (length == 1 && d > 1) || (length > 1 && name[1] == '0'))
+    if (!kind || i >= d)
         return -1;
-    for (size_t n = 1; n < length; n++) {
-        if (!isdigit((unsigned char)name[n]))
-            return -1;
-        i = 10 * i + (size_t)(name[n] - '0');
-    }
-    if (length == 1)
-        i = 1;
     e->knows_velocity |= *name == 'v';
     e->has_variable = 1;
-    return i <= d ? (int)((size_t)(kind - kinds) * d + i - 1) : -1;
+    return (int)((size_t)(kind - kinds) * d + i);
 }
 
 enum { FEW = 16 };

@@ -135,17 +135,15 @@ static int parse_imposed(fvi_typed_mechanism *m, size_t i, const char *text,
                          fvi_user_parameters *parameters, fvi_error *error)
 {
     const char *equals = strchr(text, '=');
-    char *name = equals ? fvi_trimmed_copy(text, (size_t)(equals - text)) : NULL, *end = NULL;
-    size_t index = 0;
-    if (name && *name == 'x' && name[1])
-        index = strtoul(name + 1, &end, 10);
-    else if (name && strcmp(name, "x") == 0 && m->d == 1)
-        index = 1, end = name + 1;
-    const int is_known = index >= 1 && index <= m->d && *end == '\0';
+    char *name = equals ? fvi_trimmed_copy(text, (size_t)(equals - text)) : NULL;
+    const int is_x_alone = name && strcmp(name, "x") == 0 && m->d == 1;
+    const size_t of = is_x_alone                ? 0
+                      : name && *name == 'x' ? fvi_scan_index(name + 1, strlen(name + 1), m->d)
+                                             : m->d;
     free(name);
-    if (!is_known)
+    if (of == m->d)
         return fvi_refuse(error, "impose", "'%s' is not xI=EXPRESSION in t, I from 1 to %zu", text, m->d);
-    m->constraint[i] = (fvi_typed_expression){ NULL, index };
+    m->constraint[i] = (fvi_typed_expression){ NULL, of + 1 };
     return fvi_parse_expression("impose", "t", 1, equals + 1, parameters,
                                 &m->constraint[i].e, error);
 }

@@ -2,6 +2,8 @@
 #define _GNU_SOURCE /* for strdup */
 #include "words.h"
 
+#include "system/larger.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -187,11 +189,6 @@ static int parse_pieces(fvi_typed_problem *p, fvi_error *error)
 }
 
 /* ---- values ---- */
-
-static size_t larger_count(size_t a, size_t b)
-{
-    return a > b ? a : b;
-}
 
 /* Return the largest index of a coordinate in the texts of a mechanism and of the potential. Return 0 if the texts of a
  * mechanism have none, and for a chain, which states its own number of masses. */

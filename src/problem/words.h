@@ -7,13 +7,13 @@
 /* fvi_scan_call -- Return nonzero if the text is "word:p1,p2" with exactly `count` finite numbers, and fill in p. */
 int fvi_scan_call(const char *text, const char *word, int count, double *p);
 
-/* fvi_scan_word -- Return which of the words, ended by NULL, the first `length` letters of the text are. Return the
- * number of words if they are none of them. */
-size_t fvi_scan_word(const char *text, size_t length, const char *const *words);
-
 /* fvi_trimmed_copy -- Return a copy without the blanks at its ends. A tab or a newline becomes a blank, so that a name
  * stands in one line. The caller frees it. NULL without memory. */
 char *fvi_trimmed_copy(const char *text, size_t length);
+
+/* fvi_scan_index -- Return the number of `length` digits, as in x12 behind the x, counted from 0. Return `most` if they
+ * are no number from 1 to `most`. */
+size_t fvi_scan_index(const char *digits, size_t length, size_t most);
 
 /* fvi_parse_expression -- Call fvi_expression_parse for an expression in x, or x1, ..., xd, in t or in s. If `variable`
  * is NULL, it contains only parameters. Note which of them the text uses; parameters may be NULL. A misprint is an

@@ -18,6 +18,16 @@ static inline double smaller(double a, double b)
     return a <= b || isnan(a) ? a : b;
 }
 
+static inline size_t larger_count(size_t a, size_t b)
+{
+    return a > b ? a : b;
+}
+
+static inline size_t smaller_count(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
 /* largest_abs -- Return the largest |v_i| of n numbers, NaN if one of them is NaN, and 0 if n = 0.
  * largest_difference -- Return the largest |v_i - w_i| in the same way. */
 static inline double largest_abs(size_t n, const double *v)
