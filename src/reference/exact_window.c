@@ -65,8 +65,9 @@ FVI_VECTORS static void scale(size_t n, double by, const fvi_parts *a)
         store_pair(a, i, scaled(by, pair_at(a, i)));
 }
 
-void fvi_window_exp(const fvi_window *w, size_t n, double a, int less,
-                    const fvi_parts *to)
+/* Compute e^{a z}, or e^{a z} - 1 if `less` is 1, for the first n nodes. */
+static void exponentials_at_nodes(const fvi_window *w, size_t n, double a, int less,
+                                  const fvi_parts *to)
 {
     size_t here = n;
     while (here > 0 && a * w->z.re[here - 1] < GONE)
@@ -151,11 +152,86 @@ static void prepare_steps(fvi_window *w, double h)
         w->steps[2 * FVI_BLOCK * i + FVI_BLOCK] = 0;
     }
     for (size_t j = 1; j < FVI_BLOCK; j *= 4) {
-        fvi_window_exp(w, w->count, fmin((double)j * h / w->unit, 1), 0,
-                       &w->scratch); /* no row is later than the unit */
+        exponentials_at_nodes(w, w->count, fmin((double)j * h / w->unit, 1), 0,
+                              &w->scratch); /* no row is later than the unit */
         step_rows(w->count, j, w->scratch.re, w->scratch.im, w->steps);
         step_rows(w->count, 2 * j, w->scratch.re, w->scratch.im, w->steps);
     }
+}
+
+/* ---- the weights of a problem on the nodes ---- */
+
+/* Divide the weight of the rule by t^2 Q(z/t) / m = z^2 + C + D. The numbers are scaled by the largest of 1, C and R,
+ * so that squares stay in range. D replaces z^beta. */
+FVI_VECTORS static void divide_by_Q(const fvi_window *w)
+{
+    const double C = w->C, R = w->R, by = 1 / GSL_MAX_DBL(1, GSL_MAX_DBL(C, R));
+#pragma omp simd
+    for (size_t i = 0; i < w->count; i++) {
+        const pair z = pair_at(&w->z, i), zz = product(z, z),
+                   D = scaled(R, pair_at(&w->power, i)),
+                   Q = { zz.re + C + D.re, zz.im + D.im },
+                   q = product(pair_at(&w->weight, i), reciprocal(scaled(by, Q)));
+        store_pair(&w->power, i, D);
+        store_pair(&w->weight, i, scaled(by, q));
+    }
+}
+
+/* Compute F times 1/z, or F times z / (z^2 + wt^2) for a cosine. */
+FVI_VECTORS static void transform(const fvi_window *w, double F, int cosine,
+                                  double wt, const fvi_parts *f)
+{
+#pragma omp simd
+    for (size_t i = 0; i < w->count; i++) {
+        const pair z = pair_at(&w->z, i), zz = product(z, z),
+                   of_cosine = { zz.re + wt * wt, zz.im };
+        store_pair(f, i,
+                   scaled(F,
+                          cosine ? product(z, reciprocal(of_cosine)) : reciprocal(z)));
+    }
+}
+
+FVI_VECTORS static void multiply(size_t n, const fvi_parts *by,
+                                 const fvi_parts *f)
+{
+#pragma omp simd
+    for (size_t i = 0; i < n; i++)
+        store_pair(f, i, product(pair_at(by, i), pair_at(f, i)));
+}
+
+/* Compute x and v, as add_integral of exact_inverse.c does, but without e^z. */
+FVI_VECTORS static void weigh_nodes(const fvi_window *w, double x0, double v0,
+                                    const fvi_parts *f)
+{
+    const double k0 = w->S->keeps_x0, k1 = w->S->keeps_v0, C = w->C,
+                 by_t = 1 / w->unit;
+#pragma omp simd
+    for (size_t i = 0; i < w->count; i++) {
+        const pair z = pair_at(&w->z, i), D = pair_at(&w->power, i), by_z = reciprocal(z),
+                   q = pair_at(&w->weight, i), F = pair_at(f, i), Dz = product(D, by_z),
+                   pushed = sum(z, scaled(k1, Dz)),
+                   x = sum(scaled(x0, sum(z, scaled(k0, Dz))),
+                           scaled(v0, product(pushed, by_z))),
+                   held = { C + (1 - k0) * D.re, (1 - k0) * D.im },
+                   v = sum(scaled(v0, pushed), scaled(-x0, held));
+        store_pair(&w->x, i, product(q, sum(x, F)));
+        store_pair(&w->v, i, scaled(by_t, product(q, sum(v, product(z, F)))));
+    }
+}
+
+/* Compute x and v, the factors of a source at the nodes. */
+static void weigh_source(fvi_window *w, const fvi_exact_source *source)
+{
+    const fvi_linear_oscillator *p = &w->S->p;
+    const double t = w->unit,
+                 F = p->forcing ? source->sign * p->A / p->m * t * t : 0;
+    const int cosine = p->forcing == FVI_FORCING_COSINE;
+    transform(w, F, cosine, cosine ? p->w * t : 0, &w->scratch);
+    if (source->lasts > 0) { /* (11.19) */
+        exponentials_at_nodes(w, w->count, source->lasts / t, 1, &w->x);
+        multiply(w->count, &w->x, &w->scratch);
+    }
+    weigh_nodes(w, source->start * p->x0, source->start * p->v0 * t, &w->scratch);
 }
 
 /* ---- a window ---- */
@@ -215,7 +291,7 @@ int fvi_window_open(const fvi_inverse *S, double first, double last, double h,
         return status;
     prepare_nodes(w, phi, step);
     prepare_steps(w, h);
-    fvi_window_divide(w);
+    divide_by_Q(w);
     return FVI_SUCCESS;
 }
 
@@ -263,14 +339,14 @@ void fvi_window_add(fvi_window *w, const fvi_exact_source *source, double h,
                     size_t rows, double *x, double *v)
 {
     size_t n = w->count;
-    fvi_window_weigh(w, source);
+    weigh_source(w, source);
     for (size_t k = 0; k < rows && n > 0 && !fvi_interrupted();
          k += FVI_BLOCK) {
         const double t = (source->t + (double)k * h) / w->unit;
         const size_t these = GSL_MIN(rows - k, FVI_BLOCK);
         while (n > 0 && w->z.re[n - 1] * t < -w->folds)
             n--;
-        fvi_window_exp(w, n, t, 0, &w->scratch);
+        exponentials_at_nodes(w, n, t, 0, &w->scratch);
         add_to(x ? x + k : NULL, these, n, w, &w->x);
         add_to(v ? v + k : NULL, these, n, w, &w->v);
     }

@@ -47,16 +47,4 @@ void fvi_window_close(fvi_window *w);
 void fvi_window_add(fvi_window *w, const fvi_exact_source *source, double h,
                     size_t rows, double *x, double *v);
 
-/* ---- what exact_window.c and exact_weights.c use of each other ---- */
-
-/* fvi_window_exp -- Compute e^{a z}, or e^{a z} - 1 if `less` is 1, for the first n nodes. */
-void fvi_window_exp(const fvi_window *w, size_t n, double a, int less,
-                    const fvi_parts *to);
-
-/* fvi_window_divide -- Divide the weights of the rule by t^2 Q(z/t) / m. */
-void fvi_window_divide(fvi_window *w);
-
-/* fvi_window_weigh -- Compute x and v, the factors of a source at the nodes. */
-void fvi_window_weigh(fvi_window *w, const fvi_exact_source *source);
-
 #endif
