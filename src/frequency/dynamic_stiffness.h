@@ -17,6 +17,7 @@ typedef struct {
     fvi_sparse owned;        /* empty if the matrix belongs to the caller */
     const fvi_sparse *matrix;
     const fvi_kernel *kernel; /* of a damping; NULL for M and K */
+    double *gradient;         /* of the elongation of a damper, d numbers; NULL for all others; owned */
     int *place;
     double norm;              /* Frobenius norm of the matrix */
 } fvi_stiffness_term;

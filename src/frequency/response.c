@@ -68,6 +68,7 @@ void fvi_response_free(fvi_response *r)
         return;
     for (size_t l = 0; l < r->terms; l++) {
         fvi_sparse_free(&r->term[l].owned);
+        free(r->term[l].gradient);
         free(r->term[l].place);
     }
     fvi_complex_factors_free(r->factors);

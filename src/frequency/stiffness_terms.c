@@ -139,7 +139,10 @@ static int add_elongation(fvi_response *r, const fvi_damper *damper,
         status = list ? add_triplets(r, n, list, damper->kernel, error)
                       : fvi_no_memory(error, NULL);
     free(list);
-    free(g);
+    if (status)
+        free(g);
+    else
+        r->term[r->terms - 1].gradient = g;
     return status;
 }
 

@@ -2,6 +2,7 @@
 #include "exact_motion_state.h"
 
 #include "kernel/kernel_terms.h"
+#include "system/dot.h"
 
 #include <fvi/dampers.h>
 
@@ -23,17 +24,17 @@ static size_t count_dampers(const fvi_exact_motion *o)
     return m ? m->damper_count : 1;
 }
 
-static int is_along(const fvi_exact_motion *o, size_t j)
+/* Return the gradient of the elongation of damper j, which is the same everywhere; NULL if it does not act along one. */
+static const double *gradient_of(const fvi_exact_motion *o, size_t j)
 {
-    const fvi_mechanism *m = o->system.mechanism;
-    return m && !m->damper[j].matrix;
+    return o->response->term[o->response->terms - count_dampers(o) + j].gradient;
 }
 
 size_t fvi_exact_motion_forces(const fvi_exact_motion *o)
 {
     size_t count = 0;
     for (size_t j = 0; o && j < count_dampers(o); j++)
-        count += is_along(o, j) ? 1 : o->d;
+        count += gradient_of(o, j) ? 1 : o->d;
     return count;
 }
 
@@ -61,40 +62,20 @@ void fvi_exact_motion_free_dampers(fvi_exact_motion *o)
 {
     if (o->inertia)
         o->system.matrices->free_factors(o->inertia);
-    free(o->gradient);
     free(o->sum);
     o->inertia = NULL;
-    o->gradient = o->sum = NULL;
+    o->sum = NULL;
 }
 
 /* ---- what is made once ---- */
-
-/* Compute the gradients of the elongations. They are the same everywhere, because the elongations are linear. */
-static int find_gradients(fvi_exact_motion *o)
-{
-    const fvi_mechanism *m = o->system.mechanism;
-    int status = FVI_SUCCESS;
-    for (size_t j = 0; m && j < m->damper_count && !status; j++) {
-        const fvi_elongation *of = &m->damper[j].of;
-        double *g = o->gradient + j * o->d;
-        if (m->damper[j].matrix)
-            continue;
-        if (of->row)
-            memcpy(g, of->row, o->d * sizeof *g);
-        else
-            status = of->gradient(0, o->d, o->x0, of->params, g);
-    }
-    return status;
-}
 
 static int prepare_forces(fvi_exact_motion *o)
 {
     const fvi_matrices *matrices = o->system.matrices;
     if (o->sum)
         return FVI_SUCCESS;
-    o->gradient = calloc(count_dampers(o) * o->d, sizeof *o->gradient);
     o->sum = calloc((2 * count_dampings(o) + 1) * o->d, sizeof *o->sum);
-    int status = o->gradient && o->sum ? find_gradients(o) : FVI_ENOMEM;
+    int status = o->sum ? FVI_SUCCESS : FVI_ENOMEM;
     if (!status && matrices)
         status = matrices->factorise(o->d, 1, 0, 0, matrices->params, &o->inertia);
     if (status) /* so the next call begins anew */
@@ -191,16 +172,11 @@ static void write_damper_forces(const fvi_exact_motion *o, const double *sum, do
 {
     const size_t d = o->d, before = count_dampings(o) - (o->system.mechanism ? count_dampers(o) : 0);
     for (size_t j = 0; j < count_dampers(o); j++) {
-        const double *f = sum + (o->system.mechanism ? before + j : 0) * d,
-                     *g = o->gradient + j * d;
-        double along = 0, square = 0;
-        for (size_t i = 0; i < d && is_along(o, j); i++) {
-            along += g[i] * f[i];
-            square += g[i] * g[i];
-        }
-        if (is_along(o, j))
-            *told++ = square > 0 ? along / square : 0;
-        for (size_t i = 0; i < d && !is_along(o, j); i++)
+        const double *f = sum + (o->system.mechanism ? before + j : 0) * d, *g = gradient_of(o, j);
+        const double square = g ? fvi_dot(d, g, g) : 0;
+        if (g)
+            *told++ = square > 0 ? fvi_dot(d, g, f) / square : 0;
+        for (size_t i = 0; i < d && !g; i++)
             *told++ = count_dampings(o) > 0 ? f[i] : 0;
     }
 }

@@ -31,8 +31,7 @@ struct fvi_exact_motion {
     double complex *room;   /* d numbers */
     source source[SOURCES];
     fvi_parabola rule;      /* the parabola for the time that was asked for last */
-    /* The next three are for the forces of dampers. They are made when forces are first asked for. */
-    double *gradient; /* d for each damper along an elongation */
+    /* The next two are for the forces of dampers. They are made when forces are first asked for. */
     double *sum;      /* forces and then impulses, d for each damping; and d more */
     void *inertia;    /* factors of M, if the system has matrices */
 };
