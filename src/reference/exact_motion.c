@@ -6,6 +6,7 @@
 #include "exact_motion_state.h"
 
 #include "system/arrays.h"
+#include "system/lagrangian_point.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -211,7 +212,8 @@ static int copy_problem(const fvi_exact_problem *p, fvi_exact_motion *o, fvi_err
         return fvi_no_memory(error, NULL);
     memcpy(o->x0, p->x0, d * sizeof *o->x0);
     memcpy(o->p0, p->p0, d * sizeof *o->p0);
-    return fvi_exact_motion_start(system, o->x0, o->p0, o->v0, o->spring_force);
+    const int status = fvi_potential_gradient(system, o->x0, o->spring_force);
+    return status ? status : fvi_divide_by_mass(system, o->p0, o->v0);
 }
 
 /* Find all poles of Z^-1. Without them all there is no exact motion. */
@@ -241,7 +243,7 @@ int fvi_exact_motion_alloc(const fvi_exact_problem *problem, fvi_exact_motion **
         || (problem->forcing == FVI_FORCING_COSINE && problem->w == 0);
     int status = fvi_response_alloc(&problem->motion, &o->response, error);
     if (!status)
-        status = fvi_exact_motion_check(problem, error);
+        status = fvi_exact_motion_check(problem, o->response, error);
     if (!status)
         status = copy_problem(problem, o, error);
     if (!status)

@@ -1,12 +1,11 @@
 /* src/reference/exact_motion_check.c -- Check whether a system has an exact motion here.   [H 11] */
 #include "exact_motion_check.h"
-#include "matrices/cholesky.h"
+#include "frequency/dynamic_stiffness.h"
+#include "matrices/factors.h"
 #include "system/fail.h"
-#include "system/lagrangian_point.h"
 #include "system/quadratic.h"
 
 #include <fvi/dampers.h>
-#include <fvi/structures.h>
 
 #include <math.h>
 #include <stdlib.h>
@@ -98,45 +97,28 @@ static int check_numbers(const fvi_exact_problem *p, fvi_error *error)
 /* Check that K is positive semidefinite. A body that moves freely has a pivot of 0 up to rounding errors. So 1e-9 M
  * times the trace of M^-1 K, which is at least the largest frequency squared, is added before the pivots are
  * checked. */
-static int check_hessian(const fvi_system *system, fvi_error *error)
+static int check_stiffness(const fvi_response *r, const fvi_system *system, fvi_error *error)
 {
-    const size_t d = system->d;
-    double *K = calloc(fvi_potential_hessian_size(system) + d, sizeof *K), most = 0;
-    if (!K)
-        return fvi_no_memory(error, NULL);
-    int status = fvi_potential_hessian(system, K + fvi_potential_hessian_size(system), K);
-    for (size_t i = 0; i < d; i++)
-        most += fabs(K[i * d + i]) / system->mass[i];
-    for (size_t i = 0; i < d; i++)
-        K[i * d + i] += 1e-9 * (most > 0 ? most : 1) * system->mass[i];
-    if (!status && fvi_cholesky(d, K))
-        status = fvi_fail(error, FVI_EDOM, "potential", NAN,
-                          "the potential has no minimum: its Hessian is negative somewhere");
-    free(K);
-    return status;
-}
-
-static int check_stiffness(const fvi_system *system, fvi_error *error)
-{
-    const fvi_matrices *m = system->matrices;
-    if (!m)
-        return system->potential.hessian ? check_hessian(system, error) : FVI_SUCCESS;
-    void *factors = NULL;
+    const fvi_sparse *M = r->term[0].matrix, *K = r->term[1].matrix, *const terms[] = { K, M };
     double most = 0;
-    for (size_t j = 0; j < system->d; j++)
-        for (int e = m->K->start[j]; e < m->K->start[j + 1]; e++)
-            if ((size_t)m->K->row[e] == j)
-                most += fabs(m->K->entry[e]) / system->mass[j];
-    const int status = m->factorise(system->d, 1e-9 * (most > 0 ? most : 1), 0, 1,
-                                    m->params, &factors);
+    for (size_t i = 0; i < system->d; i++)
+        most += fabs(fvi_sparse_entry(K, i, i)) / system->mass[i];
+    const double factor[] = { 1, 1e-9 * (most > 0 ? most : 1) };
+    fvi_sparse sum;
+    fvi_factors *factors = NULL;
+    int status = fvi_sparse_add(2, terms, factor, &sum);
     if (!status)
-        m->free_factors(factors);
-    return status == FVI_ESING
-               ? fvi_fail(error, FVI_EDOM, "K", NAN, "K is negative somewhere")
-               : status;
+        status = fvi_factors_alloc(fvi_choose_factorisation(&sum), &sum, &factors);
+    fvi_factors_free(factors);
+    if (status == FVI_ESING)
+        return system->matrices ? fvi_fail(error, FVI_EDOM, "K", NAN, "K is negative somewhere")
+                                : fvi_fail(error, FVI_EDOM, "potential", NAN,
+                                           "the potential has no minimum: its Hessian is negative somewhere");
+    return status ? fvi_no_memory(error, NULL) : FVI_SUCCESS;
 }
 
-int fvi_exact_motion_check(const fvi_exact_problem *problem, fvi_error *error)
+int fvi_exact_motion_check(const fvi_exact_problem *problem, const fvi_response *response,
+                           fvi_error *error)
 {
     const fvi_system *system = problem->motion.system;
     const fvi_potential *u = &system->potential;
@@ -146,12 +128,5 @@ int fvi_exact_motion_check(const fvi_exact_problem *problem, fvi_error *error)
     int status = check_dampers(system, error);
     if (!status)
         status = check_numbers(problem, error);
-    return status ? status : check_stiffness(system, error);
-}
-
-int fvi_exact_motion_start(const fvi_system *system, const double *x0, const double *p0,
-                           double *v0, double *spring_force)
-{
-    const int status = fvi_potential_gradient(system, x0, spring_force);
-    return status ? status : fvi_divide_by_mass(system, p0, v0);
+    return status ? status : check_stiffness(response, system, error);
 }
