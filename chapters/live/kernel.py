@@ -19,11 +19,10 @@ MODULES = [*wasm.MODULES, "linearised", "history_modes", "memory_nodes", "integr
 # Of the exponentials those of many masses, of gradients those of steps and methods that no figure has.
 ABSENT = [*wasm.ABSENT, *"""fvi_kernel_poles fvi_history_tiled_alloc fvi_history_tiled_bytes fvi_adjoint_variable fvi_adjoint_lobatto_end
     fvi_adjoint_lobatto_start fvi_adjoint_lobatto_step
-    fvi_impulses_of_slope_alloc fvi_adjoint_lobatto_jump fvi_wanted_check_dampers fvi_adjoint_dampers_end
-    fvi_adjoint_dampers_free fvi_adjoint_dampers_start fvi_adjoint_dampers_step fvi_kernel_derivative_of
-    fvi_kernel_derivative_symbol fvi_kernel_has_derivative fvi_kernel_derivative_begin_at
+    fvi_impulses_of_slope_alloc fvi_adjoint_lobatto_jump fvi_wanted_check_dampers fvi_kernel_derivative_of fvi_kernel_number_of
+    fvi_kernel_derivative_symbol fvi_kernel_derivative_begin_at
     fvi_adjoint_mechanism_check fvi_adjoint_mechanism_run fvi_adjoint_mesh_check fvi_adjoint_mesh_run
-    fvi_wanted_check_stage_laws fvi_adjoint_dampers_jump fvi_adjoint_structure_check fvi_adjoint_structure_end fvi_adjoint_structure_free
+    fvi_wanted_check_stage_laws fvi_adjoint_structure_check fvi_adjoint_structure_end fvi_adjoint_structure_free
     fvi_adjoint_structure_jump fvi_adjoint_structure_mesh fvi_adjoint_structure_start fvi_adjoint_structure_step
     fvi_lobatto_matrices_of fvi_stage_dampers_tolerance fvi_stage_terms_start fvi_stage_terms_stop fvi_tangent_stages_step""".split()]
 BUILDING = [PLAY / "gsl.c", HERE / "gsl_modes.c", HERE / "building.c"]

@@ -4,7 +4,6 @@
  * fits the method and the system. Steps of any length and mechanisms walk on their own. */
 #include <fvi/adjoint.h>
 
-#include "adjoint_dampers.h"
 #include "adjoint_lobatto.h"
 #include "adjoint_mechanism/adjoint_mechanism.h"
 #include "adjoint_multistep.h"
@@ -187,15 +186,14 @@ static inline int slopes(const fvi_objective *J, size_t k, size_t d, const doubl
     return J->slopes(k, d, x, p, J->params, Jx, Jp);
 }
 
-/* One of the four kinds of adjoint runs: of a structure with stages; of several dampers without stages; of a chain with
- * stages; of a chain, or of matrices with one damping, without stages (stages = 0). */
+/* One of the three kinds of adjoint runs: of a structure with stages; of a chain with stages; of either without stages
+ * (stages = 0). */
 typedef struct {
     size_t stages;
-    int is_structure, has_dampers;
+    int is_structure;
     fvi_adjoint_structure structure;
     fvi_adjoint_multistep plain;
     fvi_adjoint_lobatto staged;
-    fvi_adjoint_dampers several;
 } adjoint_run;
 
 static int begin(const fvi_method *method, const fvi_run *run,
@@ -204,11 +202,8 @@ static int begin(const fvi_method *method, const fvi_run *run,
 {
     m->stages = (size_t)method->stages;
     m->is_structure = m->stages && run->system->matrices;
-    m->has_dampers = run->system->mechanism != NULL;
     if (m->is_structure)
         return fvi_adjoint_structure_start(method, run, want, Jp, &m->structure);
-    if (m->has_dampers)
-        return fvi_adjoint_dampers_start(method, run, want, jumps, rows, Jp, &m->several);
     return m->stages ? fvi_adjoint_lobatto_start(method, run, want, jumps, p, Jp,
                                                  &m->staged)
                      : fvi_adjoint_multistep_start(method, run, want, jumps, rows, Jp,
@@ -219,8 +214,6 @@ static int step(adjoint_run *m, size_t k, const double *rows, const double *Jx)
 {
     if (m->is_structure)
         return fvi_adjoint_structure_step(&m->structure, k, rows, Jx);
-    if (m->has_dampers)
-        return fvi_adjoint_dampers_step(&m->several, k, rows, Jx);
     return m->stages ? fvi_adjoint_lobatto_step(&m->staged, k, rows, Jx)
                      : fvi_adjoint_multistep_step(&m->plain, k, rows, Jx);
 }
@@ -230,8 +223,6 @@ static int jump(adjoint_run *m, const double *Jp)
 {
     if (m->is_structure)
         return fvi_adjoint_structure_jump(&m->structure, Jp);
-    if (m->has_dampers)
-        return fvi_adjoint_dampers_jump(&m->several, Jp);
     return m->stages ? fvi_adjoint_lobatto_jump(&m->staged, Jp)
                      : fvi_adjoint_multistep_jump(&m->plain, Jp);
 }
@@ -240,10 +231,9 @@ static int jump(adjoint_run *m, const double *Jp)
 static int finish(adjoint_run *m, const fvi_sensitivities *want, size_t d,
                   const double *Jx, const double *Jp)
 {
-    const int status = m->is_structure  ? fvi_adjoint_structure_end(&m->structure, Jx)
-                       : m->has_dampers ? fvi_adjoint_dampers_end(&m->several, Jx)
-                       : m->stages    ? fvi_adjoint_lobatto_end(&m->staged, Jx)
-                                      : fvi_adjoint_multistep_end(&m->plain, Jx);
+    const int status = m->is_structure ? fvi_adjoint_structure_end(&m->structure, Jx)
+                       : m->stages     ? fvi_adjoint_lobatto_end(&m->staged, Jx)
+                                       : fvi_adjoint_multistep_end(&m->plain, Jx);
     for (size_t i = 0; Jp && want->p0 && i < d; i++)
         want->p0[i] += Jp[i];
     return status;
@@ -251,10 +241,8 @@ static int finish(adjoint_run *m, const fvi_sensitivities *want, size_t d,
 
 static void stop(adjoint_run *m)
 {
-    if (m->is_structure)
+    if (m->is_structure) /* the moving figures of the book do not link this function */
         fvi_adjoint_structure_free(&m->structure);
-    else if (m->has_dampers) /* the moving figures of the book do not link this function */
-        fvi_adjoint_dampers_free(&m->several);
     fvi_adjoint_lobatto_stop(&m->staged);
     fvi_adjoint_multistep_free(&m->plain);
 }

@@ -35,7 +35,7 @@ static void read_path(const fvi_adjoint_multistep *m, const double *x, block *b)
         b->S[i] = x[-1] + share * b->moved[i];
         b->z[i] = x[-1] - origin;
     }
-    for (size_t i = 0; m->has_drift && i < b->count; i++)
+    for (size_t i = 0; m->each->has_drift && i < b->count; i++)
         b->z[i] -= (double)(b->last - 1 - i) * m->run->h * *m->v0;
 }
 
@@ -68,10 +68,10 @@ static int evaluate_slopes(const fvi_objective *J, const double *x, block *b)
 /* Push lambda_k. Writes N_k, and its derivative by 2 alpha if that is wanted. */
 static int push_multiplier(const fvi_adjoint_multistep *m, size_t i, block *b)
 {
+    const fvi_damping *damping = m->each->damping;
     const double *lambda = &b->lambda[i + 1], *delta = &b->delta[i];
-    return m->damping->Hdot ? fvi_history_push_by_order(m->damping->memory, lambda, delta,
-                                                        &b->N[i], &b->Ndot[i])
-                            : fvi_history_push(m->damping->memory, lambda, delta, &b->N[i]);
+    return damping->Hdot ? fvi_history_push_by_order(damping->memory, lambda, delta, &b->N[i], &b->Ndot[i])
+                         : fvi_history_push(damping->memory, lambda, delta, &b->N[i]);
 }
 
 //> alone
@@ -79,7 +79,7 @@ static int push_multiplier(const fvi_adjoint_multistep *m, size_t i, block *b)
 static int step_multipliers(fvi_adjoint_multistep *m, block *b)
 {
     const double h = m->run->h, kappa = m->kappa, share = (1 - kappa) * h,
-                 factor = *m->damping->factor;
+                 factor = *m->each->damping->factor;
     double p = *m->stepper->p;
     int status = FVI_SUCCESS;
     b->lambda[0] = *m->stepper->x;
@@ -103,23 +103,24 @@ static int step_multipliers(fvi_adjoint_multistep *m, block *b)
 static void accumulate_sums(fvi_adjoint_multistep *m, const block *b)
 {
     const double h = m->run->h;
-    double start = *m->by_start, kinetic = *m->kinetic, sum = *m->sum, by_order = m->sum_by_order,
+    fvi_adjoint_damper *a = m->each;
+    double start = *m->by_start, kinetic = *m->kinetic, sum = *a->sum, by_order = *a->sum_by_order,
            *force = m->want->force;
     for (size_t i = 0; i < b->count; i++) {
         start += b->Jx[i] - b->g[i];
         kinetic -= b->moved[i] * b->delta[i];
         sum += b->z[i] * b->N[i];
-        by_order += b->z[i] * b->Ndot[i]; /* is multiplied by rho at the end */
+        by_order += b->z[i] * b->Ndot[i];
     }
-    for (size_t i = 0; m->has_drift && i < b->count; i++)
+    for (size_t i = 0; a->has_drift && i < b->count; i++)
         *m->by_line +=
             (double)(b->last - i) * h * (b->Jx[i] - b->g[i]) + m->kappa * h * b->g[i];
     for (size_t i = 0; force && i < b->count; i++)
         force[b->last - i] += h * b->lambda[i];
     *m->by_start = start;
     *m->kinetic = kinetic;
-    *m->sum = sum;
-    m->sum_by_order = by_order;
+    *a->sum = sum;
+    *a->sum_by_order = by_order;
 }
 
 /* Add the derivatives by the parameters of U; M is the multiplier of S. */
@@ -187,9 +188,9 @@ int fvi_adjoint_multistep_walk_in_blocks(fvi_adjoint_multistep *m, fvi_checkpoin
 int fvi_adjoint_multistep_has_one_coordinate(const fvi_adjoint_multistep *m)
 {
     const fvi_cq_state *o = m->stepper->method_state;
-    return !m->paper_convention && m->d == 1 && m->damping && m->damping->covers_all
+    return !m->paper_convention && m->d == 1 && m->each->damping && m->each->damping->covers_all
            && !m->run->system->matrices && o->count == 1
-           && !o->each->history_force.size && *m->damping->drift == 0;
+           && !o->each->history_force.size && *m->each->damping->drift == 0;
 }
 
 /* Apply the factor of the weights to the sequence whose latest term is `term`. */

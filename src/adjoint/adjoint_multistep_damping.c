@@ -1,267 +1,398 @@
-/* src/adjoint/adjoint_multistep_damping.c -- The derivatives by dampings, alpha and laws, from the history of the
- * adjoint run. [H 23]
+/* src/adjoint/adjoint_multistep_damping.c -- The derivatives by dampers, alpha and laws, from the histories of the
+ * adjoint run. [H 23, 27]
  *
  * The sums N_j of (23.6) come from the history of the adjoint run. By a method of order 2 the history gives H_k, the
  * sums of lambda - J_p, and (23.7) says
  *
  *     N_j = (1 - theta) H_j + theta H_{j-1} + the history of the constant J_p.
  *
- * So z_j N_j is summed as ((1 - theta) z_k + theta z_{k+1}) H_k. */
+ * So z_j N_j is summed as ((1 - theta) z_k + theta z_{k+1}) H_k.
+ *
+ * The order of a power stands in four places: in the weights of its history, in the factor h^(1 - 2 alpha), in the
+ * shift of fvi-shifted, and in the impulses of its past. The terms of a law have histories of their own
+ * (node_terms.h). */
 #include "adjoint_multistep.h"
 
+#include "system/all_zero.h"
+#include "system/arrays.h"
 #include "system/fail.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- the damping matrix C ---- */
+/* ---- the damping matrix C = rho S B^T ---- */
 
-int fvi_adjoint_multistep_apply_damping(const fvi_adjoint_multistep *m, double share,
-                                        const double *x, double *to)
+/* rho of the damper; without matrices rho of coordinate i. */
+static double rho_of(const fvi_adjoint_multistep *m, const fvi_adjoint_damper *a, size_t i)
 {
-    const fvi_system *system = m->run->system;
-    const fvi_matrices *C = system->matrices;
-    for (size_t i = 0; !C && i < m->d; i++)
-        to[i] -= share * system->damping[i] * x[i];
-    if (!C || C->history_size == 0)
+    return a->of.matrix.select_history ? a->of.rho : m->run->system->damping[i];
+}
+
+/* Find B^T x, r numbers: in `room`, or x itself without matrices. */
+static int select_history(const fvi_adjoint_multistep *m, const fvi_adjoint_damper *a, const double *x, double *room,
+                          const double **selected)
+{
+    const fvi_damping_matrix *C = &a->of.matrix;
+    *selected = C->select_history ? room : x;
+    return C->select_history ? C->select_history(m->d, x, m->zeros, C->params, room) : FVI_SUCCESS;
+}
+
+/* Find S y, d numbers: in `room`, or y itself without matrices. */
+static int multiply(const fvi_adjoint_multistep *m, const fvi_adjoint_damper *a, const double *y, double *room,
+                    const double **product)
+{
+    const fvi_damping_matrix *C = &a->of.matrix;
+    *product = C->apply_damping ? room : y;
+    if (!C->apply_damping)
         return FVI_SUCCESS;
-    double *z = calloc(2 * C->history_size, sizeof *z);
-    if (!z)
-        FVI_FAIL("no memory for the adjoint run", FVI_ENOMEM);
-    int status = C->select_history(system->d, x, z + C->history_size, C->params, z);
+    memset(room, 0, m->d * sizeof *room);
+    return C->apply_damping(m->d, -1, y, C->params, room);
+}
+
+/* Write share S B^T x to `to`, d numbers. */
+static int multiply_whole(const fvi_adjoint_multistep *m, const fvi_adjoint_damper *a, double share, const double *x,
+                          double *to)
+{
+    const double *selected, *product = NULL;
+    int status = select_history(m, a, x, a->in, &selected);
     if (!status)
-        status = C->apply_damping(system->d, share, z, C->params, to);
-    free(z);
+        status = multiply(m, a, selected, to, &product);
+    for (size_t i = 0; !status && i < m->d; i++)
+        to[i] = share * product[i];
     return status;
 }
 
-/* Add share z . C N to *sum, and without matrices each share z_i N_i to each[i]. N: r numbers. */
-static int multiply(fvi_adjoint_multistep *m, const double *z, const double *N,
-                    double share, double *each, double *sum)
+/* Write z_j = x_j - origin - t_j drift. */
+static void find_elongation(const fvi_adjoint_multistep *m, const fvi_adjoint_damper *a, size_t j, const double *x,
+                            double *z)
 {
-    const fvi_system *system = m->run->system;
-    const fvi_matrices *C = system->matrices;
-    int status = FVI_SUCCESS;
-    if (C) {
-        memset(m->work, 0, m->d * sizeof *m->work);
-        status = C->apply_damping(m->d, -share, N, C->params, m->work);
-        for (size_t i = 0; i < m->d; i++)
-            *sum += z[i] * m->work[i];
-        return status;
-    }
-    for (size_t i = 0; i < m->d; i++) {
-        const double product = share * z[i] * N[i];
-        *sum += system->damping[i] * product;
-        if (each)
-            each[i] += product;
-    }
-    return status;
+    const double *x0 = m->run->x0, t = (double)j * m->run->h;
+    for (size_t i = 0; i < m->d; i++)
+        z[i] = x[i] - (m->is_liouville ? 0 : x0[i]) - (a->has_drift ? t * m->v0[i] : 0);
 }
 
 /* ---- the start ---- */
 
-int fvi_adjoint_multistep_damping_start(fvi_adjoint_multistep *m, const fvi_method *method)
+static int allocate(const fvi_adjoint_multistep *m, fvi_adjoint_damper *a)
 {
-    const fvi_run *run = m->run;
-    int status = FVI_SUCCESS;
-    if (run->system->matrices)
-        status = fvi_adjoint_multistep_apply_damping(m, -1, m->Jp, m->CJ);
-    else
-        memcpy(m->CJ, m->Jp, m->d * sizeof *m->CJ);
-    if (!status && m->want->alpha)
-        status = fvi_order_filter_start(m->scheme, run->alpha, m->r, &m->filter);
-    if (status || !fvi_wanted_kernel_numbers(m->want))
-        return status;
-    m->each = calloc(run->law->count, sizeof *m->each);
-    if (!m->each)
+    const size_t d = m->d, r = a->r;
+    a->block = FVI_ARRAYS({ &a->sum, d }, { &a->sum_by_order, d }, { &a->sum_by_theta, d }, { &a->by_line, d },
+                          { &a->impulse_sum, d }, { &a->impulse_sum_by_order, d }, { &a->SJ, d }, { &a->CA, d },
+                          { &a->B, r }, { &a->dB, r }, { &a->Ndot, r }, { &a->in, r }, { &a->change, r });
+    if (!a->block)
         FVI_FAIL("no memory for the adjoint run", FVI_ENOMEM);
-    for (; !status && m->terms < run->law->count; m->terms++) {
-        fvi_node_term *t = &m->each[m->terms];
-        status = fvi_node_term_start(run, m->want, fvi_damping_quadrature(method),
-                                     run->law->term + m->terms, m->d, NULL, t);
-        if (!status && m->has_initial_impulses)
-            status = fvi_node_term_start_impulses(t, run->h, m->want);
+    return FVI_SUCCESS;
+}
+
+/* Prepare the impulses by which the past of the damper acts on the two ends of each step, for an amplitude of 1. */
+static int start_impulses(const fvi_adjoint_multistep *m, fvi_adjoint_damper *a)
+{
+    static const double ends[] = { 0, 1 }; /* of a step */
+    return m->paper_convention || !fvi_initial_history_acts(a->of.past, a->of.growth / 2)
+               ? FVI_SUCCESS
+               : fvi_initial_history_force_prepare(&a->of, m->run->h, 2, ends, &a->history_force, &a->impulse_unit);
+}
+
+/* Start the histories of J_p and of the jumps of lambda, which a history held at J_p leaves out, (23.23). */
+static int start_left_out(const fvi_adjoint_multistep *m, const fvi_method *method, fvi_adjoint_damper *a)
+{
+    int status = FVI_SUCCESS;
+    if (!m->paper_convention && !fvi_all_zero(m->d, m->Jp)) {
+        status = fvi_constant_history_start(method, m->run, &a->of, 1, a->damping->Hdot != NULL, &a->end_history);
+        if (!status)
+            status = multiply_whole(m, a, 1, m->Jp, a->SJ);
     }
-    return status || !m->has_initial_impulses
+    return status || !m->has_jumps
                ? status
-               : fvi_adjoint_multistep_apply_damping(m, -1, m->v0, m->CA);
+               : fvi_constant_history_start(method, m->run, &a->of, a->r, a->damping->Hdot != NULL, &a->jump_history);
+}
+
+static int start_terms(fvi_adjoint_multistep *m, const fvi_method *method, fvi_adjoint_damper *a)
+{
+    const fvi_kernel *law = a->of.law;
+    int status = FVI_SUCCESS;
+    a->term = calloc(law->count, sizeof *a->term);
+    if (!a->term)
+        FVI_FAIL("no memory for the adjoint run", FVI_ENOMEM);
+    for (; !status && a->terms < law->count; a->terms++) {
+        fvi_node_term *t = a->term + a->terms;
+        status = fvi_node_term_start(m->run, m->want, fvi_damping_quadrature(method), law->term + a->terms, a->r,
+                                     a->of.matrix.select_history ? &a->of.matrix : NULL, t);
+        if (!status && a->impulse_unit != 0)
+            status = fvi_node_term_start_impulses(t, m->run->h, m->want);
+    }
+    if (!status && a->impulse_unit != 0)
+        status = multiply_whole(m, a, 1, m->v0, a->CA);
+    for (size_t i = 0; i < m->d; i++)
+        a->CA[i] *= rho_of(m, a, i);
+    return status;
+}
+
+int fvi_adjoint_damper_start(fvi_adjoint_multistep *m, const fvi_method *method, size_t j)
+{
+    fvi_adjoint_damper *a = m->each + j;
+    a->of = fvi_run_damper_of(m->run, j);
+    a->first = j > 0 ? a[-1].first + m->run->system->mechanism->damper[j - 1].kernel->count : 0;
+    a->damping = fvi_damping_of(m->stepper);
+    while (a->damping && a->damping->number != j)
+        a->damping = a->damping->next;
+    if (!a->damping)
+        return FVI_SUCCESS;
+    a->r = a->damping->count;
+    a->unit = a->of.law ? a->damping->unit : pow(m->run->h, 1 - 2 * a->of.alpha);
+    a->theta = method->scheme == FVI_SCHEME_CQ2_SHIFTED    ? a->of.growth / 2
+               : method->scheme == FVI_SCHEME_CQ2_MIDPOINT ? 0.5
+                                                           : 0;
+    a->has_drift = a->of.growth > 1 && (a->of.past == FVI_INITIAL_HISTORY_CAPUTO || !m->paper_convention);
+    int status = allocate(m, a);
+    if (!status && a->has_drift && !m->needs_velocity)
+        status = fvi_divide_by_mass(m->run->system, m->run->p0, m->v0);
+    m->needs_velocity |= a->has_drift;
+    if (!status)
+        status = start_impulses(m, a);
+    if (!status)
+        status = start_left_out(m, method, a);
+    if (!status && a->damping->Hdot)
+        status = fvi_order_filter_start(method->scheme, a->of.alpha, a->r, &a->filter);
+    return status || !m->by_numbers || !a->of.law ? status : start_terms(m, method, a);
+}
+
+void fvi_adjoint_damper_free(fvi_adjoint_damper *a)
+{
+    fvi_constant_history_stop(&a->end_history);
+    fvi_constant_history_stop(&a->jump_history);
+    fvi_initial_history_force_stop(&a->history_force);
+    fvi_order_filter_stop(&a->filter);
+    for (size_t l = 0; l < a->terms; l++)
+        fvi_node_term_stop(a->term + l);
+    free(a->term);
+    free(a->block);
 }
 
 /* ---- a node ---- */
 
-/* Add the products of z with the sums of this node. */
-static int accumulate_sums(fvi_adjoint_multistep *m, const double *z)
+/* Add share z S N to a sum; SN has d numbers. */
+static void add_products(size_t d, double share, const double *z, const double *SN, double *sum)
 {
-    int status = multiply(m, z, m->damping->H, 1, m->sum, &m->sum_of_C);
-    if (!status && m->damping->Hdot)
-        status = multiply(m, z,
-                          fvi_order_filter_next(&m->filter, m->damping->H,
-                                                m->damping->Hdot, m->Ndot),
-                          1, NULL, &m->sum_by_order);
+    for (size_t i = 0; i < d; i++)
+        sum[i] += share * (z[i] * SN[i]);
+}
+
+/* Add share z S N to the sum of a damper, and share t S N to its by_line if that is needed. */
+static void add_sum(const fvi_adjoint_multistep *m, fvi_adjoint_damper *a, double share, const double *z,
+                    const double *SN, double t)
+{
+    add_products(m->d, share, z, SN, a->sum);
+    for (size_t i = 0; m->needs_velocity && !a->has_drift && i < m->d; i++)
+        a->by_line[i] += share * t * SN[i];
+}
+
+/* Add the products of z with the last sums of the history, and with their derivatives by the order. `moved` has the
+ * derivative of z by theta, or is NULL. */
+static int add_last_sums(fvi_adjoint_multistep *m, fvi_adjoint_damper *a, const double *z, const double *moved,
+                         double t)
+{
+    const fvi_damping *of = a->damping;
+    const double *SN;
+    int status = multiply(m, a, of->H, m->column, &SN);
+    add_sum(m, a, 1, z, SN, t);
+    if (status || !of->Hdot)
+        return status;
+    if (moved)
+        add_products(m->d, 1, moved, SN, a->sum_by_theta);
+    status = multiply(m, a, fvi_order_filter_next(&a->filter, of->H, of->Hdot, a->Ndot), m->column, &SN);
+    add_products(m->d, 1, z, SN, a->sum_by_order);
     return status;
 }
 
-int fvi_adjoint_multistep_first_sums(fvi_adjoint_multistep *m, const double *x)
+int fvi_adjoint_damper_first(fvi_adjoint_multistep *m, fvi_adjoint_damper *a, const double *x)
 {
-    fvi_adjoint_multistep_elongation(m, m->run->steps, x, m->z);
-    const int status =
-        fvi_damping_apply_force(m->damping, 1, m->damping->H, m->stepper->p);
-    return status ? status : accumulate_sums(m, m->z);
+    const size_t N = m->run->steps;
+    if (!a->damping)
+        return FVI_SUCCESS;
+    find_elongation(m, a, N, x, m->z);
+    const int status = fvi_damping_apply_force(a->damping, 1, a->damping->H, m->stepper->p);
+    return status ? status : add_last_sums(m, a, m->z, NULL, (double)N * m->run->h);
 }
 
-/* Add the history of the constant J_p: subtract its force from the momentum, and multiply it by z_{k+1}. */
-int fvi_adjoint_multistep_add_constant(fvi_adjoint_multistep *m, size_t k, const double *x)
+/* Add the history of the constant J_p: subtract its force from the momentum, and multiply it by z_j. */
+static int add_constant(fvi_adjoint_multistep *m, fvi_adjoint_damper *a, size_t j, const double *x)
 {
-    fvi_constant_history *c = &m->end_history;
-    const fvi_system *system = m->run->system;
-    const double unit = m->damping->unit;
-    static const double one = 1;
-    const double change = !c->has_begun;
+    fvi_constant_history *c = &a->end_history;
+    const double one = 1, change = j == m->run->steps;
     const int status = fvi_constant_history_next(c, &one, &change);
-    fvi_adjoint_multistep_elongation(m, k + 1, x, m->z_next);
-    for (size_t i = 0; i < m->d; i++) {
-        const double rho = system->matrices ? 1 : system->damping[i],
-                     product = m->z_next[i] * m->CJ[i];
-        m->stepper->p[i] -= unit * *c->value * rho * m->CJ[i];
-        m->sum[i] += *c->value * product;
-        m->sum_of_C += *c->value * rho * product;
-        m->sum_by_order += *c->rate * rho * product;
-        m->sum_by_theta += *c->by_theta * rho * product;
-    }
-    return status;
-}
-
-/* Add z . C v to *sum, where v is a sum of the history of B; C v stays in CB. */
-static int multiply_jumps(fvi_adjoint_multistep *m, const double *v, double *sum)
-{
-    memset(m->CB, 0, m->d * sizeof *m->CB);
-    const int status = fvi_adjoint_multistep_apply_damping(m, -1, v, m->CB);
+    find_elongation(m, a, j, x, m->z);
     for (size_t i = 0; i < m->d; i++)
-        *sum += m->z_next[i] * m->CB[i];
+        m->stepper->p[i] -= a->unit * *c->value * rho_of(m, a, i) * a->SJ[i];
+    add_sum(m, a, *c->value, m->z, a->SJ, (double)j * m->run->h);
+    add_products(m->d, *c->rate, m->z, a->SJ, a->sum_by_order);
+    add_products(m->d, *c->by_theta, m->z, a->SJ, a->sum_by_theta);
     return status;
 }
 
-int fvi_adjoint_multistep_add_jumps(fvi_adjoint_multistep *m, size_t j, const double *x)
+/* The same for the history of B, the sum of all jumps of lambda so far. */
+static int add_jumps(fvi_adjoint_multistep *m, fvi_adjoint_damper *a, size_t j, const double *x)
 {
-    fvi_constant_history *c = &m->jump_history;
-    int status = fvi_constant_history_next(c, m->B, m->jump);
-    fvi_adjoint_multistep_elongation(m, j, x, m->z_next);
-    if (!status && c->by_order)
-        status = multiply_jumps(m, c->rate, &m->sum_by_order);
-    if (!status && c->by_order)
-        status = multiply_jumps(m, c->by_theta, &m->sum_by_theta);
+    fvi_constant_history *c = &a->jump_history;
+    double *const to[] = { a->sum_by_order, a->sum_by_theta };
+    const double *const rates[] = { c->rate, c->by_theta }, *SN = NULL;
+    int status = fvi_constant_history_next(c, a->B, a->dB);
+    find_elongation(m, a, j, x, m->z);
+    for (size_t l = 0; c->by_order && !status && l < sizeof to / sizeof *to; l++) {
+        status = multiply(m, a, rates[l], m->column, &SN);
+        add_products(m->d, 1, m->z, SN, to[l]);
+    }
     if (!status)
-        status = multiply_jumps(m, c->value, &m->sum_of_C);
+        status = multiply(m, a, c->value, m->column, &SN);
+    if (status)
+        return status;
+    for (size_t i = 0; i < m->d; i++)
+        m->stepper->p[i] -= a->unit * rho_of(m, a, i) * SN[i];
+    add_sum(m, a, 1, m->z, SN, (double)j * m->run->h);
+    memset(a->dB, 0, a->r * sizeof *a->dB);
+    return FVI_SUCCESS;
+}
+
+int fvi_adjoint_damper_left_out(fvi_adjoint_multistep *m, fvi_adjoint_damper *a, size_t j, const double *x)
+{
+    const int status = a->end_history.memory ? add_constant(m, a, j, x) : FVI_SUCCESS;
+    return status || !a->jump_history.memory ? status : add_jumps(m, a, j, x);
+}
+
+int fvi_adjoint_damper_jump(fvi_adjoint_multistep *m, fvi_adjoint_damper *a, const double *Jp)
+{
+    if (!a->jump_history.memory)
+        return FVI_SUCCESS;
+    const double *selected;
+    const int status = select_history(m, a, Jp, a->in, &selected);
+    for (size_t i = 0; !status && i < a->r; i++) {
+        a->dB[i] = selected[i];
+        a->B[i] += selected[i];
+    }
+    return status;
+}
+
+/* ---- a step ---- */
+
+/* Add the products of the impulses of the past with lambda at the two ends of step k. */
+static void add_impulses(fvi_adjoint_multistep *m, fvi_adjoint_damper *a, size_t k)
+{
+    const double *left = m->stepper->x, *right = m->right;
+    double impulse[2] = { 0 }, slope[2] = { 0 }; /* at the two ends; their derivatives by e */
+    if (a->impulse_unit == 0)
+        return;
+    fvi_initial_history_force_impulses(&a->history_force, k, impulse);
+    if (a->damping->Hdot)
+        fvi_kernel_impulses_by_order(&a->history_force.initial_impulse, k, slope);
     for (size_t i = 0; i < m->d; i++) {
-        m->sum[i] += m->z_next[i] * c->value[i];
-        m->stepper->p[i] -= m->damping->unit * m->CB[i];
+        a->impulse_sum[i] += impulse[0] * left[i] + impulse[1] * right[i];
+        a->impulse_sum_by_order[i] += slope[0] * left[i] + slope[1] * right[i];
     }
-    memset(m->jump, 0, (m->terms ? 0 : m->d) * sizeof *m->jump); /* accumulate_terms needs the jump, too */
-    return status;
 }
 
-/* Add the derivatives by the numbers of each term of the law: the products of h C z_{k+1} with the sums of its own
- * histories. */
-static int accumulate_terms(fvi_adjoint_multistep *m, size_t k)
+/* Add the derivatives by the numbers of each term of the law: the products of h rho z_{k+1} with the sums of its own
+ * histories, and of its impulses with lambda. */
+static int accumulate_terms(fvi_adjoint_multistep *m, fvi_adjoint_damper *a, size_t k)
 {
-    int status = FVI_SUCCESS;
-    fvi_adjoint_multipliers_next(&m->multipliers, k + 1 == m->run->steps, m->right,
-                                 m->stepper->x, m->has_jumps ? m->jump : NULL);
-    memset(m->jump, 0, m->d * sizeof *m->jump);
-    memset(m->column, 0, m->d * sizeof *m->column);
-    status = fvi_adjoint_multistep_apply_damping(m, -m->run->h, m->z_next, m->column);
-    for (size_t l = 0; !status && l < m->terms; l++)
-        status = fvi_node_term_accumulate(&m->each[l], m->multipliers.mean,
-                                          m->multipliers.change, m->column, m->want,
-                                          l);
-    return status;
-}
-
-int fvi_adjoint_multistep_accumulate_damping(fvi_adjoint_multistep *m, size_t k,
-                                             const double *rows)
-{
-    const double theta = m->theta;
-    const int by_theta = m->scheme == FVI_SCHEME_CQ2_SHIFTED && m->want->alpha;
-    int status = FVI_SUCCESS;
-    fvi_adjoint_multistep_elongation(m, k, rows, m->z);
-    if (theta > 0 || by_theta || m->terms)
-        fvi_adjoint_multistep_elongation(m, k + 1, rows + m->d, m->z_next);
-    if (by_theta) {
-        for (size_t i = 0; i < m->d; i++)
-            m->column[i] = m->z_next[i] - m->z[i];
-        status = multiply(m, m->column, m->damping->H, 1, NULL, &m->sum_by_theta);
-    }
-    for (size_t i = 0; theta > 0 && i < m->d; i++)
-        m->z[i] += theta * (m->z_next[i] - m->z[i]);
+    double *weight = m->z_next, left = 0, right = 0;
+    const double *in, *change = NULL;
+    int status = select_history(m, a, m->multipliers.mean, a->in, &in);
     if (!status)
-        status = accumulate_sums(m, m->z);
-    return status || !m->terms ? status : accumulate_terms(m, k);
+        status = select_history(m, a, m->multipliers.change, a->change, &change);
+    for (size_t i = 0; i < m->d; i++) {
+        weight[i] *= m->run->h * rho_of(m, a, i);
+        left += a->CA[i] * m->stepper->x[i];
+        right += a->CA[i] * m->right[i];
+    }
+    for (size_t l = 0; !status && l < a->terms; l++) {
+        status = fvi_node_term_accumulate(a->term + l, in, change, weight, m->want, a->first + l);
+        if (a->impulse_unit != 0)
+            fvi_node_term_accumulate_impulses(a->term + l, k, left, right, m->want, a->first + l);
+    }
+    return status;
+}
+
+int fvi_adjoint_damper_step(fvi_adjoint_multistep *m, fvi_adjoint_damper *a, size_t k, const double *rows)
+{
+    double *moved = m->work;
+    if (!a->damping)
+        return FVI_SUCCESS;
+    add_impulses(m, a, k);
+    find_elongation(m, a, k, rows, m->z);
+    find_elongation(m, a, k + 1, rows + m->d, m->z_next);
+    for (size_t i = 0; i < m->d; i++) {
+        moved[i] = m->z_next[i] - m->z[i];
+        m->z[i] += a->theta * moved[i];
+    }
+    const int status =
+        add_last_sums(m, a, m->z, m->is_shifted ? moved : NULL, ((double)k + a->theta) * m->run->h);
+    return status || a->terms == 0 ? status : accumulate_terms(m, a, k);
 }
 
 /* ---- the end ---- */
 
-/* Subtract the part of lambda_0 from the sums, because N_0 does not contain lambda_0. N_0 acts if the history of the
- * run begins at 0. */
-static int subtract_last_multiplier(fvi_adjoint_multistep *m)
+/* For Riemann and Liouville's past in Algorithm 3: N_0 acts, too, because the history of the run begins at 0. But N_0
+ * does not contain lambda_0, which the history has taken in. */
+static int subtract_last_multiplier(fvi_adjoint_multistep *m, fvi_adjoint_damper *a)
 {
-    const fvi_system *system = m->run->system;
-    const fvi_matrices *C = system->matrices;
-    int status = FVI_SUCCESS;
-    fvi_adjoint_multistep_elongation(m, 0, m->run->x0, m->z);
-    memset(m->Ndot, 0, m->r * sizeof *m->Ndot);
-    if (C)
-        status = C->select_history(m->d, m->stepper->x, m->Ndot, C->params, m->N);
-    else
-        memcpy(m->N, m->stepper->x, m->d * sizeof *m->N);
-    return status ? status : multiply(m, m->z, m->N, -1, m->sum, &m->sum_of_C);
-}
-
-/* The products of the impulses of the past, rho A h^(1 + e), with lambda, and their derivatives by e. A is v0, or x0
- * for Riemann and Liouville's past below alpha = 1/2. */
-static int add_impulses(fvi_adjoint_multistep *m, double *at, double *rate)
-{
-    const fvi_run *run = m->run;
-    const fvi_matrices *C = run->system->matrices;
-    int status = FVI_SUCCESS;
+    double *last = m->column;
+    const int status = multiply_whole(m, a, 1, m->stepper->x, last);
+    find_elongation(m, a, 0, m->run->x0, m->z);
+    add_products(m->d, -1, m->z, last, a->sum);
     for (size_t i = 0; i < m->d; i++)
-        m->z[i] = fvi_initial_history_amplitude(run->past, m->growth / 2, run->x0[i],
-                                                m->v0[i]);
-    memset(m->Ndot, 0, m->r * sizeof *m->Ndot);
-    if (C)
-        status = C->select_history(m->d, m->z, m->Ndot, C->params, m->N);
-    else
-        memcpy(m->N, m->z, m->d * sizeof *m->N);
-    if (!status)
-        status = multiply(m, m->impulse_sum, m->N, 1, m->want->damping && !C ? m->column : NULL,
-                          at);
-    return status ? status : multiply(m, m->impulse_sum_by_order, m->N, 1, NULL, rate);
-}
-
-//> end
-int fvi_adjoint_multistep_end_damping(fvi_adjoint_multistep *m)
-{
-    const fvi_run *run = m->run;
-    const fvi_sensitivities *want = m->want;
-    const double unit = m->damping->unit, log_h = log(run->h), size = m->impulse_size;
-    double at = 0, rate = 0;
-    if (m->walks_in_blocks) { /* C is rho */
-        m->sum_of_C = *run->system->damping * *m->sum;
-        m->sum_by_order = *run->system->damping * m->sum_by_order;
-    }
-    int status = m->is_liouville ? subtract_last_multiplier(m) : FVI_SUCCESS;
-    memset(m->column, 0, m->d * sizeof *m->column);
-    if (!status && m->has_initial_impulses)
-        status = add_impulses(m, &at, &rate);
-    if (want->damping && run->system->matrices)
-        *want->damping = -unit * m->sum_of_C - size * at;
-    for (size_t i = 0; want->damping && !run->system->matrices && i < m->d; i++)
-        want->damping[i] = -unit * m->sum[i] - size * m->column[i];
-    if (want->alpha) /* the order is 2 alpha; e falls by 2 dalpha */
-        *want->alpha =
-            -unit * (2 * m->sum_by_order - 2 * log_h * m->sum_of_C
-                     + (m->scheme == FVI_SCHEME_CQ2_SHIFTED ? m->sum_by_theta : 0))
-            + 2 * size * (log_h * at + rate);
+        m->by_start[i] += a->unit * rho_of(m, a, i) * last[i];
     return status;
 }
-//< end
+
+/* Write the derivatives by rho and by the order, from the impulses of the past, whose amplitude is A, and from their
+ * derivatives by e. The order is 2 alpha, and e falls by 2 dalpha. */
+static void write_derivatives(const fvi_adjoint_multistep *m, const fvi_adjoint_damper *a, const double *A,
+                              const double *impulses, const double *rates)
+{
+    const fvi_sensitivities *want = m->want;
+    const int is_chain = !a->of.matrix.select_history;
+    const double log_h = log(m->run->h);
+    double by_factor = 0, sum = 0, by_order = 0, by_theta = 0, at = 0, rate = 0;
+    for (size_t i = 0; i < m->d; i++) {
+        const double rho = rho_of(m, a, i), by_rho = -a->unit * a->sum[i] - A[i] * impulses[i];
+        sum += rho * a->sum[i];
+        by_order += rho * a->sum_by_order[i];
+        by_theta += rho * a->sum_by_theta[i];
+        at += rho * A[i] * impulses[i];
+        rate += rho * A[i] * rates[i];
+        by_factor += by_rho;
+        if (want->damping && is_chain)
+            want->damping[i] = by_rho;
+    }
+    if (want->damping && !is_chain)
+        want->damping[a->damping->number] = a->of.rho * by_factor;
+    if (a->of.law)
+        return;
+    if (want->terms)
+        want->terms[a->first] = by_factor;
+    if (m->by_order)
+        (want->alpha ? want->alpha : want->orders)[a->first] =
+            -a->unit * (2 * by_order - 2 * log_h * sum + (m->is_shifted ? by_theta : 0))
+            + 2 * (log_h * at + rate);
+}
+
+int fvi_adjoint_damper_end(fvi_adjoint_multistep *m, fvi_adjoint_damper *a)
+{
+    const int is_place = a->of.growth < 1;
+    const double *A = is_place ? m->run->x0 : m->v0;
+    double *by_amplitude = is_place ? m->by_start : m->by_line, *impulses = m->column, *rates = m->work;
+    if (!a->damping)
+        return FVI_SUCCESS;
+    int status = m->is_liouville ? subtract_last_multiplier(m, a) : FVI_SUCCESS;
+    if (!status)
+        status = multiply_whole(m, a, a->impulse_unit, a->impulse_sum, impulses);
+    if (!status)
+        status = multiply_whole(m, a, a->impulse_unit, a->impulse_sum_by_order, rates);
+    for (size_t i = 0; i < m->d; i++) {
+        by_amplitude[i] -= rho_of(m, a, i) * impulses[i];
+        m->by_line[i] -= rho_of(m, a, i) * a->unit * a->by_line[i];
+    }
+    write_derivatives(m, a, A, impulses, rates);
+    return status;
+}

@@ -2,7 +2,6 @@
  * 27] */
 #include "adjoint_structure.h"
 
-#include "adjoint_dampers.h"
 #include "methods/lobatto_stages.h"
 #include "parameter_derivatives/wanted_check.h"
 #include "system/arrays.h"
