@@ -10,7 +10,7 @@
 #include <strings.h>
 
 /* Read "F.csv", or "F.csv:TIME,VALUE" with the names of two columns, which the file must then have. */
-static int read_columns(fvi_force_part *p, const char *field, const char *text,
+static int read_columns(fvi_force_part *p, const char *field, const char *text, size_t *n, double **t, double **F,
                         fvi_error *error)
 {
     const char *colon = strrchr(text, ':'),
@@ -18,17 +18,13 @@ static int read_columns(fvi_force_part *p, const char *field, const char *text,
     if (!comma) {
         const char *const columns[] = { "t", strcmp(field, "ground") ? "F" : "ag" };
         p->file = strdup(text);
-        return p->file ? fvi_parse_table(field, text, columns, &p->rows, &p->times,
-                                         &p->values, error)
-                       : fvi_no_memory(error, field);
+        return p->file ? fvi_parse_table(field, text, columns, n, t, F, error) : fvi_no_memory(error, field);
     }
     char *time = strndup(colon + 1, (size_t)(comma - colon - 1));
     p->file = strndup(text, (size_t)(colon - text));
     const char *const columns[] = { time, comma + 1 };
-    const int status =
-        time && p->file ? fvi_parse_named_table(field, p->file, columns, &p->rows,
-                                                &p->times, &p->values, error)
-                        : fvi_no_memory(error, field);
+    const int status = time && p->file ? fvi_parse_named_table(field, p->file, columns, n, t, F, error)
+                                       : fvi_no_memory(error, field);
     free(time);
     return status;
 }
@@ -37,18 +33,20 @@ static int read_columns(fvi_force_part *p, const char *field, const char *text,
 static int read_file(fvi_force_part *p, const char *field, const char *text, double gain,
                      double last, fvi_error *error)
 {
-    const int status = read_columns(p, field, text, error);
+    size_t n;
+    double *t, *F;
+    const int status = read_columns(p, field, text, &n, &t, &F, error);
     if (status)
         return status;
-    for (size_t i = 0; i < p->rows; i++)
-        p->values[i] *= gain;
-    if (!fvi_all_finite(p->rows, p->values))
+    p->table = (fvi_force_rows){ n, 1, t, F };
+    for (size_t i = 0; i < n; i++)
+        F[i] *= gain;
+    if (!fvi_all_finite(n, F))
         return fvi_fail(error, FVI_EDOM, field, gain, "a number of %s times its factor is not finite", p->file);
-    if (p->times[0] > 0)
-        return fvi_fail(error, FVI_EDOM, field, p->times[0], "%s begins at t = %g, the run at 0", p->file, p->times[0]);
-    if (p->times[p->rows - 1] < last * (1 - 1e-12))
-        return fvi_fail(error, FVI_EDOM, field, p->times[p->rows - 1], "%s ends at t = %g, the run at %g", p->file,
-                        p->times[p->rows - 1], last);
+    if (t[0] > 0)
+        return fvi_fail(error, FVI_EDOM, field, t[0], "%s begins at t = %g, the run at 0", p->file, t[0]);
+    if (t[n - 1] < last * (1 - 1e-12))
+        return fvi_fail(error, FVI_EDOM, field, t[n - 1], "%s ends at t = %g, the run at %g", p->file, t[n - 1], last);
     return FVI_SUCCESS;
 }
 
@@ -174,15 +172,15 @@ static int collect_jumps(fvi_typed_force *f)
 {
     size_t room = 0;
     for (size_t i = 0; i < f->count; i++)
-        room += f->parts[i].times ? f->parts[i].rows : 1;
+        room += 1 + f->parts[i].table.n;
     f->jumps = malloc(room * sizeof *f->jumps);
     if (!f->jumps)
         return FVI_ENOMEM;
     for (double t; !isnan(t = fvi_typed_force_jump(f, f->jump_count));)
         f->jumps[f->jump_count++] = t;
     for (size_t i = 0; i < f->count; i++)
-        for (size_t k = 0; f->parts[i].times && k < f->parts[i].rows; k++)
-            f->jumps[f->jump_count++] = f->parts[i].times[k];
+        for (size_t k = 0; k < f->parts[i].table.n; k++)
+            f->jumps[f->jump_count++] = f->parts[i].table.t[k];
     return 0;
 }
 
@@ -259,9 +257,11 @@ int fvi_parse_force_of(const char *field, const char *text, size_t d,
     if (!status && (collect_jumps(new) || collect_impulses(new, d)))
         status = fvi_no_memory(error, field);
     free(word);
-    if (status)
+    if (status) {
         fvi_typed_force_free(new);
-    else
-        *force = new;
-    return status;
+        return status;
+    }
+    fvi_typed_force_finish(new);
+    *force = new;
+    return FVI_SUCCESS;
 }

@@ -7,10 +7,10 @@
 
 /* One part of a force. It is an expression, a table, an impulse, or else of the given kind. */
 typedef struct {
+    fvi_force force;            /* the part as a force of one number; no function for an impulse */
     fvi_expression *expression; /* an expression in t, owned; NULL: the part is none */
     char *file;                 /* name of the table's file, owned; or NULL */
-    size_t rows;                /* number of rows of the table */
-    double *times, *values;     /* t and F of each row, one block that begins with times, owned; NULL: no table */
+    fvi_force_rows table;       /* its rows, one block that begins with t, owned; t is NULL: no table */
     int is_impulse;
     fvi_forcing kind;
     /* the constants: amplitude and end of a step, amplitude and frequency of a cosine, size and time of an impulse */
@@ -28,9 +28,11 @@ struct fvi_typed_force {
     double *J;             /* the vectors of the impulses, d numbers each */
 };
 
-/* fvi_typed_force_part_value -- Compute the value of one part at t. An impulse has the value 0. Return FVI_SUCCESS.
+/* fvi_typed_force_finish -- Fill in `force` of each part. The parts must stay where they are from then on.
+ * fvi_typed_force_part_value -- Compute the value of one part at t. An impulse has the value 0. Return FVI_SUCCESS.
  * fvi_typed_force_lanes -- The functions for several lanes whose forces have equally many parts; the params are
  * fvi_typed_force. */
+void fvi_typed_force_finish(fvi_typed_force *f);
 int fvi_typed_force_part_value(const fvi_force_part *p, double t, double *F);
 extern const fvi_lane_functions fvi_typed_force_lanes;
 

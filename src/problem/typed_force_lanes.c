@@ -1,8 +1,6 @@
 /* src/problem/typed_force_lanes.c -- Evaluate a typed force for several oscillators at once. [H 28] */
 #include "typed_force.h"
 
-#include "expression/expression_lanes.h"
-
 #include <stdlib.h>
 #include <string.h>
 
@@ -24,29 +22,27 @@ typedef struct {
 
 static int is_same_table(const fvi_force_part *a, const fvi_force_part *b)
 {
-    return a->times && b->times && a->rows == b->rows && memcmp(a->times, b->times, a->rows * sizeof *a->times) == 0
-           && memcmp(a->values, b->values, a->rows * sizeof *a->values) == 0;
+    const size_t bytes = a->table.n * sizeof *a->table.t;
+    return a->table.t && b->table.t && a->table.n == b->table.n && memcmp(a->table.t, b->table.t, bytes) == 0
+           && memcmp(a->table.F, b->table.F, bytes) == 0;
 }
 
-/* Prepare part i in all lanes. If the functions return FVI_EUNSUP, the part is evaluated lane by lane. */
+/* Prepare part i in all lanes. Parts of different kinds, and those for which the functions return FVI_EUNSUP, are
+ * evaluated lane by lane. */
 static int prepare_part(const prepared_force *f, size_t count, size_t i, prepared_part *part)
 {
+    const fvi_force_part *first = f->of[0]->parts + i;
     void *params[L];
-    int is_expression = 1, is_cosine = 1;
     part->is_shared = 1;
+    part->functions = first->force.lanes;
     for (size_t l = 0; l < count; l++) {
-        fvi_force_part *p = f->of[l]->parts + i;
-        part->is_shared = part->is_shared && is_same_table(f->of[0]->parts + i, p);
-        is_expression = is_expression && p->expression;
-        is_cosine = is_cosine && !p->expression && !p->times && !p->is_impulse
-                    && p->kind == FVI_FORCING_COSINE;
-        params[l] = is_expression ? (void *)p->expression : (void *)p->constants;
+        const fvi_force_part *p = f->of[l]->parts + i;
+        part->is_shared = part->is_shared && is_same_table(first, p);
+        if (p->force.lanes != first->force.lanes)
+            part->functions = NULL;
+        params[l] = p->force.params;
     }
-    if (is_expression)
-        part->functions = &fvi_expression_value_lanes;
-    else if (is_cosine)
-        part->functions = fvi_force_cosine(params[0]).lanes;
-    else
+    if (!part->functions)
         return FVI_SUCCESS;
     const int status = part->functions->prepare(count, params, &part->prepared);
     return status == FVI_EUNSUP ? FVI_SUCCESS : status;
