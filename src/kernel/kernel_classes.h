@@ -47,8 +47,8 @@ typedef enum {
  *             symbol
  *   fraction  writes a term that is one fraction of powers, and returns 1; returns 0 for a term that is none. NULL: no
  *             term is. A term that is no fraction is called general: its weights come from Cauchy's integral
- *   modes     computes the modes of a general term, as fvi_kernel_modes_of; NULL: from the symbol on the cut. Such
- *             modes are compared with the symbol before they are used
+ *   modes     appends the modes of a general term, as fvi_kernel_modes_of, and need not check the list; NULL: they come
+ *             from the symbol on the cut. Such modes are compared with the symbol before they are used
  *   by        returns the derivative of C(s) for rho = 1 by the number in a field; NULL: by differences of the symbol,
  *             which must then have values a little outside the ranges of its numbers, too
  *   side      returns where a term with rho > 0 lies that is no fraction; NULL: not known

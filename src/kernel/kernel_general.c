@@ -92,13 +92,42 @@ int fvi_kernel_general_weights(const fvi_kernel *law, fvi_delta kind, double h,
 
 /* ---- modes ---- */
 
-enum { MOST_MODES = 6000 };
+enum { MOST_MODES = 6000 /* a term with more modes counts as a term without modes */ };
 
-/* Append a mode. The caller has checked that there is room. The modes go from the fastest to the slowest. */
-static void add_mode(fvi_kernel_modes *m, double rate, double weight)
+/* Make room for twice as many modes. */
+static void grow_list(fvi_kernel_modes *m)
 {
+    const size_t room = m->room > 0 ? 2 * m->room : 64;
+    double *block = malloc(2 * room * sizeof *block);
+    if (!block) {
+        m->is_incomplete = 1;
+        return;
+    }
+    for (size_t j = 0; j < m->count; j++) {
+        block[j] = m->rate[j];
+        block[room + j] = m->weight[j];
+    }
+    free(m->rate);
+    m->rate = block;
+    m->weight = block + room;
+    m->room = room;
+}
+
+void fvi_kernel_modes_add(fvi_kernel_modes *m, double rate, double weight)
+{
+    if (m->count == m->room)
+        grow_list(m);
+    if (m->count == m->room)
+        return;
     m->rate[m->count] = rate;
     m->weight[m->count++] = weight;
+}
+
+int fvi_kernel_modes_check(const fvi_kernel_modes *m)
+{
+    if (m->is_incomplete)
+        FVI_FAIL("no memory for the modes", FVI_ENOMEM);
+    return FVI_SUCCESS;
 }
 
 /* Compute the modes of (s/(1 + T s))^{2 alpha}, whose cut is (-1/T, 0). The substitution s = -e^u/(1 + T e^u) moves
@@ -119,7 +148,7 @@ int fvi_davidson_modes(const fvi_kernel_term *t, double slowest, double delta, f
         double weight = sine * exp(order * u) / (1 + q);
         if (u == last)
             weight /= -expm1(-(1 - order) * step);
-        add_mode(m, rate, weight);
+        fvi_kernel_modes_add(m, rate, weight);
     }
     return FVI_SUCCESS;
 }
@@ -132,6 +161,7 @@ static int symbol_modes(const fvi_kernel_term *t, double slowest,
 {
     const double step = strip * M_PI * M_PI / (3 - log(delta)),
                  spring = creal(fvi_kernel_term_at(t, 0x1p-900, 0));
+    const size_t before = m->count;
     double most = 0;
     for (double u = log(fastest); u > -600; u -= step) {
         const double rate = exp(u),
@@ -142,13 +172,13 @@ static int symbol_modes(const fvi_kernel_term *t, double slowest,
         most = larger(most, rate < slowest ? fabs(weight) : 0);
         if (rate < slowest && fabs(weight) <= delta / 100 * most)
             break;
-        if (m->count == MOST_MODES - 1)
+        if (m->count - before == MOST_MODES - 1)
             return FVI_EUNSUP;
         if (weight != 0)
-            add_mode(m, rate, weight);
+            fvi_kernel_modes_add(m, rate, weight);
     }
     if (spring > 0)
-        add_mode(m, 0, spring);
+        fvi_kernel_modes_add(m, 0, spring);
     return FVI_SUCCESS;
 }
 
@@ -156,15 +186,9 @@ int fvi_kernel_modes_of(const fvi_kernel_term *t, double slowest,
                         double fastest, double delta, double strip,
                         fvi_kernel_modes *modes)
 {
-    double *block = malloc(2 * MOST_MODES * sizeof *block);
-    if (!block)
-        FVI_FAIL("no memory for the modes", FVI_ENOMEM);
-    *modes = (fvi_kernel_modes){ 0, block, block + MOST_MODES };
     const int status =
         fvi_kernel_classes[t->kind]->modes
             ? fvi_kernel_classes[t->kind]->modes(t, slowest, delta, modes)
             : symbol_modes(t, slowest, fastest, delta, strip, modes);
-    if (status)
-        free(block);
-    return status;
+    return status ? status : fvi_kernel_modes_check(modes);
 }

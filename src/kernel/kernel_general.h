@@ -35,20 +35,26 @@ double complex fvi_kernel_term_at(const fvi_kernel_term *t, double modulus,
 int fvi_kernel_general_weights(const fvi_kernel *law, fvi_delta kind, double h,
                                int increments, size_t count, double *w);
 
-/* The modes of a term: C(s)/s = (a part without memory) + sum_j weight_j / (s + rate_j). */
+/* A list of modes, for example of C(s)/s = (a part without memory) + sum_j weight_j / (s + rate_j). { 0 } is empty. */
 typedef struct {
-    size_t count;
-    double *rate, *weight; /* one block, which begins with rate */
+    size_t count, room;    /* number of modes; number of modes for which there is memory */
+    double *rate, *weight; /* one block, which begins with rate: free(rate) frees the list */
+    int is_incomplete;     /* nonzero if memory was short for a mode */
 } fvi_kernel_modes;
 
-/* fvi_kernel_modes_of -- Compute the modes of one general term, including its rho.
+/* fvi_kernel_modes_add -- Append a mode. If memory is short, the list becomes incomplete.
+ * fvi_kernel_modes_check -- Return FVI_SUCCESS, or FVI_ENOMEM if the list is incomplete. */
+void fvi_kernel_modes_add(fvi_kernel_modes *modes, double rate, double weight);
+int fvi_kernel_modes_check(const fvi_kernel_modes *modes);
+
+/* fvi_kernel_modes_of -- Append the modes of one general term, including its rho, to a list.
  *
  *   slowest, fastest  the range of rates to resolve: one over the longest time and one over the shortest time of
  *                     interest
  *   delta             relative error, 1e-16 to 1e-2
  *   strip             for modes from the symbol on the cut: the width of the strip beyond the cut in which the symbol
  *                     is analytic as a function of ln s, divided by pi/2
- *   modes             output; free it with free(modes->rate)
+ *   modes             the list; the caller frees it, also after an error
  *
  * A DAVIDSON with 2 alpha >= 0.95 or 2 alpha < 0.02 has no modes. Return FVI_SUCCESS; FVI_EUNSUP, without a call of the
  * error handler, if there are no modes; FVI_ENOMEM. */
@@ -56,7 +62,7 @@ int fvi_kernel_modes_of(const fvi_kernel_term *t, double slowest,
                         double fastest, double delta, double strip,
                         fvi_kernel_modes *modes);
 
-/* fvi_davidson_modes -- The same for a DAVIDSON into an empty list of modes, whose room the caller has made. */
+/* fvi_davidson_modes -- The same for a DAVIDSON. It does not check whether the list is complete. */
 int fvi_davidson_modes(const fvi_kernel_term *t, double slowest, double delta, fvi_kernel_modes *m);
 
 #endif

@@ -43,20 +43,16 @@ static double *weights_of(const fvi_kernel_ready *r, size_t count, double *first
 static fvi_history_head *make_modes_history(const fvi_kernel_ready *r, size_t d, size_t steps,
                                             double delta, double *first)
 {
-    const double N = fmax((double)steps, 128);
-    size_t Q;
-    if (fvi_kernel_ready_modes(r, N, delta, NULL, NULL, &Q))
-        return NULL;
-    double *w = weights_of(r, FVI_WINDOW + 1, first);
-    double *s = malloc(2 * (Q + 1) * sizeof *s);
+    fvi_kernel_modes m;
     fvi_history_head *e = NULL;
-    if (w && s && !fvi_kernel_ready_modes(r, N, delta, s, s + Q, &Q)) {
-        for (size_t q = 0; q < Q; q++)
-            s[Q + q] /= *first;
-        e = fvi_history_modes_of(Q, s, s + Q, w, d);
-    }
+    const int status = fvi_kernel_ready_modes(r, fmax((double)steps, 128), delta, &m);
+    double *w = status ? NULL : weights_of(r, FVI_WINDOW + 1, first);
+    for (size_t q = 0; w && q < m.count; q++)
+        m.weight[q] /= *first;
+    if (w)
+        e = fvi_history_modes_of(m.count, m.rate, m.weight, w, d);
     free(w);
-    free(s);
+    free(m.rate);
     return e;
 }
 
@@ -65,25 +61,21 @@ static fvi_history_head *make_modes_history(const fvi_kernel_ready *r, size_t d,
 static int are_all_modes(const fvi_kernel_ready *r, int *all)
 {
     enum { LAGS = 512 };
-    size_t Q;
-    int status = fvi_kernel_ready_modes(r, LAGS, 1e-14, NULL, NULL, &Q);
-    if (status)
-        return status;
-    double first, worst = 0, *w = weights_of(r, LAGS, &first);
-    double *s = malloc(2 * (Q + 1) * sizeof *s);
-    status = w && s ? fvi_kernel_ready_modes(r, LAGS, 1e-14, s, s + Q, &Q)
-                    : fvi_tell_handler("no memory for the modes", __FILE__, __LINE__,
-                                       FVI_ENOMEM);
+    fvi_kernel_modes m;
+    int status = fvi_kernel_ready_modes(r, LAGS, 1e-14, &m);
+    double first, worst = 0, *w = status ? NULL : weights_of(r, LAGS, &first);
+    if (!status && !w)
+        status = fvi_tell_handler("no memory for the weights", __FILE__, __LINE__, FVI_ENOMEM);
     for (size_t n = FVI_WINDOW + 1; !status && n < LAGS; n++) {
         double sum = 0;
-        for (size_t q = 0; q < Q; q++)
-            sum += s[Q + q] * exp(-(double)n * s[q]);
+        for (size_t q = 0; q < m.count; q++)
+            sum += m.weight[q] * exp(-(double)n * m.rate[q]);
         const double off = fabs(sum / first - w[n]);
         worst = isnan(off) ? GSL_POSINF : larger(worst, off);
     }
     *all = !status && worst < 1e-13;
     free(w);
-    free(s);
+    free(m.rate);
     return status;
 }
 

@@ -16,8 +16,7 @@ static int is_whole(double x)
     return x == floor(x);
 }
 
-/* Return 1 if the term has values on both sides of the negative axis that differ. Whole powers of s have none. */
-static int has_cut(const fvi_kernel_simple *t)
+int fvi_kernel_has_cut(const fvi_kernel_simple *t)
 {
     return t->rho > 0
            && !(is_whole(2 * t->alpha)
@@ -43,7 +42,7 @@ static double imaginary_part_on_cut(const fvi_kernel_ready *r, double ln_radius)
         if (fvi_kernel_is_on_cut(&r->law->term[i]))
             sum += cimag(fvi_kernel_term_at(&r->law->term[i], exp(ln_radius), M_PI));
     for (size_t i = 0; i < r->terms; i++)
-        if (has_cut(&r->term[i]))
+        if (fvi_kernel_has_cut(&r->term[i]))
             sum += fvi_kernel_on_the_cut(&r->term[i], r->term[i].rho,
                                          ln_radius);
     return sum;
@@ -105,7 +104,7 @@ static double longest_lag(const fvi_kernel_ready *r, double N)
 {
     for (size_t i = 0; i < r->terms; i++) {
         const fvi_kernel_simple *t = &r->term[i];
-        if (has_cut(t) && t->time > 0)
+        if (fvi_kernel_has_cut(t) && t->time > 0)
             N = larger(N, 20 * pow(t->time, 0.5 / t->below) / r->h);
     }
     return N;
@@ -133,18 +132,17 @@ static int own_modes_exist(const fvi_kernel_ready *r, int *has)
     *has = 1;
     for (size_t i = 0; *has && i < r->law->count; i++) {
         const fvi_kernel_term *t = &r->law->term[i];
-        fvi_kernel_modes m;
+        fvi_kernel_modes m = { 0 };
         if (!has_own_modes(t))
             continue;
         const int status =
             is_too_short_for_bdf2(r, t->time)
                 ? FVI_EUNSUP
                 : fvi_kernel_modes_of(t, 1 / (FVI_LONGEST * r->h), 1 / r->h, FVI_LEAST_TOLERANCE, 1, &m);
+        free(m.rate);
         if (status && status != FVI_EUNSUP)
             return status;
         *has = !status;
-        if (*has)
-            free(m.rate);
     }
     return FVI_SUCCESS;
 }
@@ -157,9 +155,9 @@ static int fractions_have_modes(const fvi_kernel_ready *r)
         if (t->rho == 0 || t->time == 0)
             continue;
         if ((t->below > 0.45 && !fvi_kernel_is_relaxation(t))
-            || (has_cut(t) && longest_lag(r, 1) > LARGEST_LAG))
+            || (fvi_kernel_has_cut(t) && longest_lag(r, 1) > LARGEST_LAG))
             return 0;
-        if (has_cut(t) && t->below > 0.4
+        if (fvi_kernel_has_cut(t) && t->below > 0.4
             && is_too_short_for_bdf2(r, pow(t->time, 0.5 / t->below)))
             return 0;
         if (fvi_kernel_is_relaxation(t) && is_too_short_for_bdf2(r, t->time))
@@ -196,7 +194,7 @@ static law_cut find_cut(const fvi_kernel_ready *r)
 {
     law_cut cut = { 0, 2, 0, M_PI_2 };
     for (size_t i = 0; i < r->terms; i++)
-        if (has_cut(&r->term[i])) {
+        if (fvi_kernel_has_cut(&r->term[i])) {
             cut.exists = 1;
             cut.lowest = smaller(cut.lowest, 2 * r->term[i].alpha);
             cut.highest = larger(cut.highest, 2 * r->term[i].alpha);
@@ -214,19 +212,16 @@ static law_cut find_cut(const fvi_kernel_ready *r)
     return cut;
 }
 
-/* Compute the modes of the cut. Return their number Q; if s and c are NULL, compute only Q. */
-static size_t modes_of_cut(const fvi_kernel_ready *r, double N, double delta, double *s,
-                           double *c)
+static void add_modes_of_cut(const fvi_kernel_ready *r, double N, double delta, fvi_kernel_modes *m)
 {
     const law_cut cut = find_cut(r);
     if (!cut.exists)
-        return 0;
+        return;
     N = longest_lag(r, N);
     const fvi_node_range nodes =
         fvi_node_range_of(cut.lowest - r->increments, cut.lowest + (1 - r->increments),
                           cut.highest - r->increments, N, delta, cut.strip / M_PI_2);
     const int is_bdf2 = r->kind == FVI_DELTA_BDF2;
-    size_t Q = 0;
     for (size_t q = 0; q < nodes.Q; q++) { /* (26.6) */
         const double t = nodes.left + (double)q * nodes.step, ln_s = t - exp(-t),
                      node = exp(ln_s) / N; /* the rate s_q; delta(e^node) is -expm1(node), for BDF2 times `half` */
@@ -238,102 +233,69 @@ static size_t modes_of_cut(const fvi_kernel_ready *r, double N, double delta, do
             ln_s - log(N) + log(slope * (is_bdf2 ? half : 1) / r->h);
         const double weight = -nodes.step / M_PI * (1 + exp(-t))
                               * imaginary_part_on_cut(r, ln_radius);
-        if (s) {
-            s[Q] = node;
-            c[Q] = weight * (r->increments ? -1 / slope : node);
-        }
-        Q++;
+        fvi_kernel_modes_add(m, node, weight * (r->increments ? -1 / slope : node));
     }
-    return Q;
 }
 
 /* ---- modes of the poles ---- */
 
-/* Compute the modes of a Maxwell element, rho s / (1 + T s), and return their number. Its weights are powers of one
- * number for Euler. For BDF2 they are powers of two numbers, the inverse poles of C(delta(z)/h) at z = 2 -+ root. */
-static size_t modes_of_relaxation(const fvi_kernel_ready *r, const fvi_kernel_simple *t,
-                                  double *s, double *c)
+/* Add the modes of a Maxwell element, rho s / (1 + T s). Its weights are powers of one number for Euler. For BDF2 they
+ * are powers of two numbers, the inverse poles of C(delta(z)/h) at z = 2 -+ root. */
+static void add_modes_of_relaxation(const fvi_kernel_ready *r, const fvi_kernel_simple *t, fvi_kernel_modes *m)
 {
     const double h = r->h, T = t->time, rho = t->rho;
     if (r->kind == FVI_DELTA_EULER) { /* (26.7) */
-        if (s) {
-            s[0] = log1p(h / T);
-            c[0] = r->increments ? rho / (h + T) : -rho / T * h / (h + T);
-        }
-        return 1;
+        fvi_kernel_modes_add(m, log1p(h / T), r->increments ? rho / (h + T) : -rho / T * h / (h + T));
+        return;
     }
     const double x = 2 * h / T, root = sqrt(1 - x);
     const double z[] = { 2 - root, 2 + root }, sign[] = { 1, -1 };
-    for (size_t i = 0; s && i < 2; i++) {
-        s[i] = i == 0 ? log1p(x / (1 + root)) : log(z[1]); /* ln z_i; 2 - root is near 1 */
-        c[i] = sign[i] * rho / (T * root * z[i])
-               * (r->increments ? (3 - z[i]) / 2 : -h / T);
-    }
-    return 2;
+    for (size_t i = 0; i < 2; i++)
+        fvi_kernel_modes_add(m, i == 0 ? log1p(x / (1 + root)) : log(z[1]), /* ln z_i; 2 - root is near 1 */
+                             sign[i] * rho / (T * root * z[i]) * (r->increments ? (3 - z[i]) / 2 : -h / T));
 }
 
-/* Compute the modes of a term of a kind with modes of its own, and write their number to *count. A rate of the symbol
- * becomes the rate s of a mode by delta(e^s)/h = -rate. (26.17) */
-static int modes_of_general_term(const fvi_kernel_ready *r, const fvi_kernel_term *t,
-                             double N, double delta, double *s, double *c,
-                             size_t *count)
+/* Add the modes of a term of a kind with modes of its own. A rate of the symbol becomes the rate s of a mode by
+ * delta(e^s)/h = -rate. (26.17) */
+static int add_modes_of_general_term(const fvi_kernel_ready *r, const fvi_kernel_term *t, double N, double delta,
+                                     fvi_kernel_modes *m)
 {
-    fvi_kernel_modes m;
     const double h = r->h;
-    const int status = fvi_kernel_modes_of(t, 1 / (N * h), 1 / h, delta, 1, &m);
-    if (status)
-        return status;
-    for (size_t j = 0; s && j < m.count; j++) {
-        const double x = h * m.rate[j];
+    const size_t before = m->count;
+    const int status = fvi_kernel_modes_of(t, 1 / (N * h), 1 / h, delta, 1, m);
+    for (size_t j = before; !status && j < m->count; j++) {
+        const double x = h * m->rate[j];
         const int is_bdf2 = r->kind == FVI_DELTA_BDF2;
         const double root = is_bdf2 ? sqrt(1 - 2 * x) : 1,
                      grown = is_bdf2 ? 2 * x / (1 + root) : x, /* e^s - 1 */
-                     share = m.weight[j] * x / (root * (1 + grown));
-        s[j] = log1p(grown);
-        c[j] = r->increments ? share / grown : -share;
+                     share = m->weight[j] * x / (root * (1 + grown));
+        m->rate[j] = log1p(grown);
+        m->weight[j] = r->increments ? share / grown : -share;
     }
-    free(m.rate);
-    *count = m.count;
-    return FVI_SUCCESS;
+    return status;
 }
 
-/* Return the place behind the first n numbers of an array that may be NULL. */
-static double *behind(double *array, size_t n)
+int fvi_kernel_ready_modes(const fvi_kernel_ready *r, double N, double delta, fvi_kernel_modes *m)
 {
-    return array ? array + n : NULL;
-}
-
-int fvi_kernel_ready_modes(const fvi_kernel_ready *r, double N, double delta,
-                           double *s, double *c, size_t *count)
-{
-    size_t Q = modes_of_cut(r, N, delta, s, c);
     double spring = 0; /* the stiffness of all springs, which is C(0) */
-    for (size_t i = 0; i < r->law->count; i++) {
+    *m = (fvi_kernel_modes){ 0 };
+    add_modes_of_cut(r, N, delta, m);
+    int status = fvi_kernel_modes_check(m);
+    for (size_t i = 0; !status && i < r->law->count; i++) {
         const fvi_kernel_term *t = &r->law->term[i];
-        size_t more = 0;
-        int status = FVI_SUCCESS;
         if (fvi_kernel_is_on_cut(t))
             spring += creal(fvi_kernel_term_at(t, 0x1p-900, 0));
         else if (has_own_modes(t))
-            status = modes_of_general_term(r, t, N, delta, behind(s, Q), behind(c, Q), &more);
-        if (status)
-            return status;
-        Q += more;
+            status = add_modes_of_general_term(r, t, N, delta, m);
     }
     for (size_t i = 0; i < r->terms; i++) {
         const fvi_kernel_simple *t = &r->term[i];
         if (fvi_kernel_is_relaxation(t))
-            Q += modes_of_relaxation(r, t, behind(s, Q), behind(c, Q));
+            add_modes_of_relaxation(r, t, m);
         if (t->alpha == 0)
             spring += t->rho / (1 + t->time);
     }
-    if (spring > 0 && r->increments) { /* a spring acts on the sum of all increments: a mode that does not decay */
-        if (s) {
-            s[Q] = 0;
-            c[Q] = spring;
-        }
-        Q++;
-    }
-    *count = Q;
-    return FVI_SUCCESS;
+    if (spring > 0 && r->increments) /* a spring acts on the sum of all increments: a mode that does not decay */
+        fvi_kernel_modes_add(m, 0, spring);
+    return status ? status : fvi_kernel_modes_check(m);
 }

@@ -24,12 +24,10 @@ int fvi_kernel_ready_has_modes(const fvi_kernel_ready *r, int *has);
 /* fvi_kernel_ready_modes -- Compute the modes of the weights for lags n up to N: w_n = sum_q c_q exp(-n s_q) with the
  * relative error delta.
  *
- *   s, c   outputs, rates and coefficients, *count numbers each; if both are NULL, only *count is computed
- *   count  output: the number of modes
+ *   modes  output: a list of the rates s_q and the weights c_q, which the caller frees, also after an error
  *
  * The modes of the cut come first, then those of the poles, and then a spring if the history sums increments. Return
  * FVI_SUCCESS or FVI_ENOMEM; or FVI_EUNSUP if a term with modes of its own has none. */
-int fvi_kernel_ready_modes(const fvi_kernel_ready *r, double N, double delta,
-                           double *s, double *c, size_t *count);
+int fvi_kernel_ready_modes(const fvi_kernel_ready *r, double N, double delta, fvi_kernel_modes *modes);
 
 #endif

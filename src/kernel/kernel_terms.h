@@ -44,6 +44,10 @@ static inline int fvi_kernel_is_relaxation(const fvi_kernel_simple *t)
     return t->rho > 0 && t->alpha == 0.5 && t->below == 0.5 && t->time > 0;
 }
 
+/* fvi_kernel_has_cut -- Return 1 if the term has values on both sides of the negative axis that differ. Whole powers of
+ * s have none, and neither has a Maxwell element. */
+int fvi_kernel_has_cut(const fvi_kernel_simple *t);
+
 /* fvi_kernel_on_the_cut -- Return Im C(-r + i0), the value on the upper side of the cut, with `factor` in place of rho.
  * The argument is ln r, because for orders near 0 some nodes have an r below the smallest double. With s = r e^{i pi}
  * it is the imaginary part of s^above times the conjugate of 1 + time s^below, divided by the square of the modulus of

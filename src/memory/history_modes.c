@@ -178,8 +178,10 @@ fvi_history_head *fvi_history_modes_of(size_t Q, const double *s, const double *
     modes_engine *e = make_engine(padded(Q), 0, is_tiled(0, d) ? 0 : d);
     if (!e)
         return NULL;
-    memcpy(e->p, s, Q * sizeof *s);
-    memcpy(e->c, c, Q * sizeof *c);
+    for (size_t q = 0; q < Q; q++) {
+        e->p[q] = s[q];
+        e->c[q] = c[q];
+    }
     return complete_engine(e, w, d);
 }
 

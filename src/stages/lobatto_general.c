@@ -132,11 +132,13 @@ static int compare_modes(size_t s, const fvi_kernel_term *t, double h,
     enum { COUNT = FVI_LAGS + 2 };
     double W[COUNT * FVI_STAGES * FVI_STAGES] = { 0 }, most = 0, worst = 0,
            a[FVI_STAGES], M[FVI_STAGES * FVI_STAGES];
-    fvi_kernel_modes m;
+    fvi_kernel_modes m = { 0 };
     const int status = fvi_lobatto_general_modes(s, t, h, COUNT, 1e-15, strip, &m);
     *left = GSL_POSINF;
-    if (status)
+    if (status) {
+        free(m.rate);
         return status == FVI_EUNSUP ? FVI_SUCCESS : status;
+    }
     fvi_lobatto_contour(s, t, h, COUNT, W);
     for (size_t i = 0; i < s * s; i++)
         most = larger(most, fabs(W[i]));

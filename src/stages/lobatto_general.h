@@ -14,7 +14,7 @@
 void fvi_lobatto_contour(size_t s, const fvi_kernel_term *t, double h,
                          size_t count, double *W);
 
-/* fvi_lobatto_general_modes -- Compute the modes for lags FVI_LAGS < n <= N. Outputs and codes are those of
+/* fvi_lobatto_general_modes -- Append the modes for lags FVI_LAGS < n <= N. The list and the codes are those of
  * fvi_kernel_modes_of. */
 int fvi_lobatto_general_modes(size_t s, const fvi_kernel_term *t, double h,
                               double N, double tolerance, double strip,

@@ -231,10 +231,11 @@ static int allocate_for_law(size_t s, const fvi_lobatto_kernel *ready, size_t d,
         FVI_FAIL("there are no modes for this law", FVI_EUNSUP);
     const double N = (double)steps + 1, tolerance_used = effective_tolerance(tolerance);
     const int direct = is_direct(BETA_OF_LAW, steps, kind, 0);
-    size_t count = 0;
-    double *nodes = NULL; /* q, then mu */
+    fvi_kernel_modes nodes = { 0 };
     if (!direct)
-        status = fvi_lobatto_kernel_few_nodes(s, ready, N, tolerance_used, &count, &nodes);
+        status = fvi_lobatto_kernel_nodes(s, ready, N, tolerance_used, 1, &nodes);
+    if (status)
+        free(nodes.rate);
     if (status == FVI_EUNSUP)
         FVI_FAIL("there are no modes for this law", FVI_EUNSUP);
     if (status)
@@ -244,13 +245,13 @@ static int allocate_for_law(size_t s, const fvi_lobatto_kernel *ready, size_t d,
                                             .d = d,
                                             .steps = steps,
                                             .lags = direct && steps > FVI_LAGS ? steps : FVI_LAGS,
-                                            .Q = round_up_to_lanes(count) });
-    if (m && count > 0) {
-        memcpy(m->q, nodes, count * sizeof *nodes);
-        memcpy(m->p, nodes + count, count * sizeof *nodes);
-        fvi_lobatto_solve_nodes(s, count, m->p, m->a, m->Q);
+                                            .Q = round_up_to_lanes(nodes.count) });
+    if (m && nodes.count > 0) {
+        memcpy(m->q, nodes.weight, nodes.count * sizeof *m->q);
+        memcpy(m->p, nodes.rate, nodes.count * sizeof *m->p);
+        fvi_lobatto_solve_nodes(s, nodes.count, m->p, m->a, m->Q);
     }
-    free(nodes);
+    free(nodes.rate);
     if (!m)
         FVI_FAIL("no memory for the history", FVI_ENOMEM);
     skip_near_lags(m);

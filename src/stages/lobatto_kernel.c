@@ -24,12 +24,10 @@ static int is_divided(const fvi_kernel_simple *t)
            && (t->below > 0.45 || (t->below < t->alpha && turns));
 }
 
-/* Return 1 if the term has a cut. A spring and a dashpot have none, and neither has a mass. */
-static int has_cut(const fvi_kernel_simple *t)
+/* Return 1 if the term has nodes on its cut. */
+static int has_nodes_on_cut(const fvi_kernel_simple *t)
 {
-    const int is_at_once = t->alpha == 0 || t->alpha == 1 || t->alpha == 0.5;
-    return t->rho > 0 && !is_divided(t)
-           && !(is_at_once && (t->time == 0 || t->below == t->alpha));
+    return fvi_kernel_has_cut(t) && !is_divided(t);
 }
 
 /* Return 1 if the weights of the term come from Cauchy's integral, and its modes from the cut. */
@@ -84,19 +82,18 @@ static void tail_of(const fvi_lobatto_kernel *r, int above, double first,
 {
     *S0 = *S1 = 0;
     for (size_t i = 0; i < r->terms; i++)
-        if (has_cut(&r->term[i]) && (r->term[i].alpha > 0.5) == above)
+        if (has_nodes_on_cut(&r->term[i]) && (r->term[i].alpha > 0.5) == above)
             fvi_kernel_tail(&r->term[i], r->term[i].rho * r->h / M_PI,
                             log(r->h), first, step, 0, S0, S1);
 }
 
-/* Compute the nodes of the cut: (17.10), with one set of nodes for all terms. The numbers mu are written to p. */
-static size_t nodes_of_cut(size_t s, const fvi_lobatto_kernel *r, double N,
-                           double tolerance, double *q, double *p)
+/* Add the nodes of the cut: (17.10), with one set of nodes for all terms. */
+static void add_nodes_of_cut(size_t s, const fvi_lobatto_kernel *r, double N, double tolerance, fvi_kernel_modes *nodes)
 {
     double least = 1, most = -1, width = 1;
     for (size_t i = 0; i < r->terms; i++) {
         const fvi_kernel_simple *t = &r->term[i];
-        if (!has_cut(t))
+        if (!has_nodes_on_cut(t))
             continue;
         least = smaller(least, 2 * t->alpha - 1);
         most = larger(most, 2 * t->alpha - 1);
@@ -104,101 +101,61 @@ static size_t nodes_of_cut(size_t s, const fvi_lobatto_kernel *r, double N,
             width = smaller(width, 0.9 * fmin(1, 1 / t->below - 2));
     }
     if (most < least)
-        return 0;
+        return;
     const fvi_lobatto_span span =
         fvi_lobatto_span_of(s, least, most, N, tolerance, width);
     const double first = span.first, step = span.step;
-    const size_t tails = (size_t)(least < 0) + (size_t)(most > 0),
-                 Q = tails + 1 + (size_t)ceil((span.last - first) / step);
-    for (size_t j = 0, above = least > 0; q && j < tails; j++, above = 1) {
+    for (int above = least > 0; above <= (most > 0); above++) {
         double S0, S1;
-        tail_of(r, (int)above, first, step, &S0, &S1);
-        q[j] = step * S0;
-        p[j] = S1 / S0;
+        tail_of(r, above, first, step, &S0, &S1);
+        fvi_kernel_modes_add(nodes, S1 / S0, step * S0);
     }
-    for (size_t j = tails; q && j < Q; j++) {
-        const double ln_mu = first + (double)(j - tails) * step;
-        q[j] = 0;
+    const size_t count = 1 + (size_t)ceil((span.last - first) / step);
+    for (size_t j = 0; j < count; j++) {
+        const double ln_mu = first + (double)j * step;
+        double weight = 0;
         for (size_t i = 0; i < r->terms; i++)
-            if (has_cut(&r->term[i]))
-                q[j] += step * density_on_cut(&r->term[i], r->h, ln_mu);
-        p[j] = exp(ln_mu);
+            if (has_nodes_on_cut(&r->term[i]))
+                weight += step * density_on_cut(&r->term[i], r->h, ln_mu);
+        fvi_kernel_modes_add(nodes, exp(ln_mu), weight);
     }
-    return Q;
 }
 
-/* Append the nodes of the general terms to the first *count nodes. The numbers mu are written to p. Return FVI_SUCCESS,
- * or the code of fvi_lobatto_general_modes. */
-static int nodes_of_general(size_t s, const fvi_lobatto_kernel *r, double N,
-                            double tolerance, double *q, double *p, size_t *count)
+/* Add the nodes of the general terms. Return FVI_SUCCESS, or the code of fvi_lobatto_general_modes. */
+static int add_nodes_of_general(size_t s, const fvi_lobatto_kernel *r, double N, double tolerance,
+                                fvi_kernel_modes *nodes)
 {
+    const size_t before = nodes->count;
     int status = FVI_SUCCESS;
-    for (size_t i = 0; !status && i < r->law->count; i++) {
-        const fvi_kernel_term *t = &r->law->term[i];
-        fvi_kernel_modes m;
-        if (!has_contour(t))
-            continue;
-        status = fvi_lobatto_general_modes(s, t, r->h, N, tolerance, r->strip, &m);
-        if (status)
-            return status;
-        for (size_t j = 0; q && j < m.count; j++) {
-            q[*count + j] = r->h * m.weight[j];
-            p[*count + j] = r->h * m.rate[j];
-        }
-        *count += m.count;
-        free(m.rate);
+    for (size_t i = 0; !status && i < r->law->count; i++)
+        if (has_contour(&r->law->term[i]))
+            status = fvi_lobatto_general_modes(s, &r->law->term[i], r->h, N, tolerance, r->strip, nodes);
+    for (size_t j = before; j < nodes->count; j++) {
+        nodes->weight[j] *= r->h;
+        nodes->rate[j] *= r->h;
     }
     return status;
 }
 
-/* Compute all nodes, with mu in p, and their number; with q = NULL only their number. is_few: replace the nodes of the
- * cut that hardly decay within N steps by fewer nodes. Return FVI_SUCCESS, or the code of fvi_lobatto_general_modes. */
-static int find_nodes(size_t s, const fvi_lobatto_kernel *ready, double N, double tolerance, int is_few, double *q,
-                      double *p, size_t *count)
+int fvi_lobatto_kernel_nodes(size_t s, const fvi_lobatto_kernel *ready, double N, double tolerance, int is_few,
+                             fvi_kernel_modes *nodes)
 {
-    size_t Q = nodes_of_cut(s, ready, N, tolerance, q, p);
+    *nodes = (fvi_kernel_modes){ 0 };
+    add_nodes_of_cut(s, ready, N, tolerance, nodes);
     if (is_few)
-        Q = fvi_lobatto_gauss(Q, N, tolerance, q, p);
-    const int status = nodes_of_general(s, ready, N, tolerance, q, p, &Q);
+        nodes->count = fvi_lobatto_gauss(nodes->count, N, tolerance, nodes->weight, nodes->rate);
+    const int status = add_nodes_of_general(s, ready, N, tolerance, nodes);
     double springs = 0;
     for (size_t i = 0; i < ready->terms; i++) {
         const fvi_kernel_simple *t = &ready->term[i];
         if (t->rho > 0 && t->alpha == 0)
             springs += t->rho / (1 + t->time);
-        if (!fvi_kernel_is_relaxation(t))
-            continue;
-        if (q) { /* the residue of rho / (1 + T s) = (rho/T) / (s + 1/T) */
-            q[Q] = t->rho * ready->h / t->time;
-            p[Q] = ready->h / t->time;
-        }
-        Q++;
+        if (fvi_kernel_is_relaxation(t)) /* the residue of rho / (1 + T s) = (rho/T) / (s + 1/T) */
+            fvi_kernel_modes_add(nodes, ready->h / t->time, t->rho * ready->h / t->time);
     }
-    if (springs > 0 && q) { /* a spring acts on the sum of all velocities */
-        q[Q] = springs * ready->h;
-        p[Q] = 0;
-    }
-    *count = Q + (springs > 0);
-    return status;
-}
-
-int fvi_lobatto_kernel_few_nodes(size_t s, const fvi_lobatto_kernel *ready, double N, double tolerance, size_t *count,
-                                 double **nodes)
-{
-    size_t most;
-    int status = find_nodes(s, ready, N, tolerance, 0, NULL, NULL, &most);
-    if (status)
-        return status;
-    double *q = malloc((2 * most + 1) * sizeof *q);
-    if (!q)
-        FVI_FAIL("no memory for the nodes", FVI_ENOMEM);
-    status = find_nodes(s, ready, N, tolerance, 1, q, q + most, count);
-    if (status) {
-        free(q);
-        return status;
-    }
-    memmove(q + *count, q + most, *count * sizeof *q);
-    *nodes = q;
-    return FVI_SUCCESS;
+    if (springs > 0) /* a spring acts on the sum of all velocities */
+        fvi_kernel_modes_add(nodes, 0, springs * ready->h);
+    return status ? status : fvi_kernel_modes_check(nodes);
 }
 
 /* ---- weights ---- */
@@ -312,31 +269,26 @@ static int add_divided(size_t s, const fvi_kernel_simple *t, double h, size_t n,
 int fvi_lobatto_kernel_weights(size_t s, const fvi_lobatto_kernel *ready, size_t n,
                             double *W)
 {
-    const double N = (double)n;
-    size_t Q = 0;
+    fvi_kernel_modes nodes = { 0 };
     int status = FVI_SUCCESS;
     if (n > FVI_LAGS + 1) /* nodes are needed only for lags above FVI_LAGS */
-        status = find_nodes(s, ready, N, 1e-16, 0, NULL, NULL, &Q);
-    if (status)
-        return status;
-    double *q = calloc((2 + s) * Q + 1, sizeof *q);
-    if (!q)
-        FVI_FAIL("no memory for the nodes", FVI_ENOMEM);
-    if (Q > 0)
-        status = find_nodes(s, ready, N, 1e-16, 0, q, q + Q, &Q);
-    if (status) {
-        free(q);
-        return status;
+        status = fvi_lobatto_kernel_nodes(s, ready, (double)n, 1e-16, 0, &nodes);
+    const size_t Q = nodes.count;
+    double *q = nodes.weight, *p = nodes.rate, *a = status ? NULL : malloc((s * Q + 1) * sizeof *a);
+    if (!a) {
+        free(nodes.rate);
+        return status ? status : fvi_tell_handler("no memory for the nodes", __FILE__, __LINE__, FVI_ENOMEM);
     }
-    fvi_lobatto_solve_nodes(s, Q, q + Q, q + 2 * Q, Q);
+    fvi_lobatto_solve_nodes(s, Q, p, a, Q);
     memset(W, 0, (FVI_LAGS + 1) * s * s * sizeof *W);
     for (size_t k = 2; k < n; k++) {
         for (size_t j = 0; j < Q; j++)
-            q[j] -= q[Q + j] * q[j]; /* q_j r_j^(k-1) */
+            q[j] -= p[j] * q[j]; /* q_j r_j^(k-1) */
         if (k > FVI_LAGS)
-            fvi_lobatto_sum(s, Q, q, q + 2 * Q, W + k * s * s);
+            fvi_lobatto_sum(s, Q, q, a, W + k * s * s);
     }
-    free(q);
+    free(nodes.rate);
+    free(a);
     for (size_t i = 0; i < ready->law->count; i++)
         if (has_contour(&ready->law->term[i]))
             fvi_lobatto_contour(s, &ready->law->term[i], ready->h, FVI_LAGS + 1,

@@ -7,7 +7,7 @@
 #ifndef FVI_LOBATTO_KERNEL_H
 #define FVI_LOBATTO_KERNEL_H
 
-#include "kernel/kernel_terms.h"
+#include "kernel/kernel_general.h"
 #include "lobatto_weights.h"
 
 /* A law prepared for one step length. Free it with fvi_lobatto_kernel_free. */
@@ -31,18 +31,18 @@ int fvi_lobatto_kernel_prepare(size_t s, const fvi_kernel *law, double h,
 
 void fvi_lobatto_kernel_free(fvi_lobatto_kernel *ready);
 
-/* fvi_lobatto_kernel_few_nodes -- Compute the nodes of a law, as fvi_lobatto_few_nodes does for a power.
+/* fvi_lobatto_kernel_nodes -- Compute the nodes of a law, as fvi_lobatto_nodes does for a power.
  *
- *   count  output: the number of nodes
- *   nodes  output: a block of `count` numbers q followed by `count` numbers mu, which the caller frees.
- *          fvi_lobatto_solve_nodes computes a and p from mu
+ *   is_few  nonzero: replace the nodes of the cut that hardly decay within N steps by fewer nodes if all their weights
+ *           have one sign
+ *   nodes   output: a list of the numbers mu (rate) and q (weight), which the caller frees, also after an error.
+ *           fvi_lobatto_solve_nodes computes a and p from mu
  *
  * There is one set of nodes for all terms with a cut, one node for the pole of each Maxwell element, and one for all
- * springs. Terms without nodes are left out. The nodes of the cut that hardly decay within N steps are replaced by
- * fewer nodes if all their weights have one sign. Return FVI_SUCCESS; FVI_EUNSUP, without a call of the error handler,
- * if a term has no modes; FVI_ENOMEM. */
-int fvi_lobatto_kernel_few_nodes(size_t s, const fvi_lobatto_kernel *ready, double N, double tolerance, size_t *count,
-                                 double **nodes);
+ * springs. Terms without nodes are left out. Return FVI_SUCCESS; FVI_EUNSUP, without a call of the error handler, if a
+ * term has no modes; FVI_ENOMEM. */
+int fvi_lobatto_kernel_nodes(size_t s, const fvi_lobatto_kernel *ready, double N, double tolerance, int is_few,
+                             fvi_kernel_modes *nodes);
 
 /* fvi_lobatto_kernel_weights -- Compute W_0, ..., W_{n-1}, n > FVI_LAGS. W is ordered as for fvi_lobatto_weights.
  *

@@ -35,20 +35,6 @@ static int is_rising(const fvi_kernel_simple *t)
     return 2 * (t->time > 0 ? t->alpha - t->below : t->alpha) > 1;
 }
 
-static int is_whole(double x)
-{
-    return x == floor(x);
-}
-
-/* Return nonzero if the term has a ladder of modes. A relaxation and a spring are single poles, and other terms with
- * whole orders have no past. */
-static int has_ladder(const fvi_kernel_simple *t)
-{
-    return t->rho > 0 && !fvi_kernel_is_relaxation(t)
-           && !(is_whole(2 * t->alpha)
-                && (t->time == 0 || is_whole(2 * t->below)));
-}
-
 /* Return C(s)/s in place of C(s), which grows like s^2 and may overflow at the shortest steps. */
 static fvi_kernel_simple divide_by_s(const fvi_kernel_simple *t)
 {
@@ -57,30 +43,17 @@ static fvi_kernel_simple divide_by_s(const fvi_kernel_simple *t)
 
 /* ---- modes ---- */
 
-enum { MOST_MODES = 6000 };
-
-/* Rates and weights of modes, in any order. The weights of rising terms are divided by their rates, because they would
+/* Every term with a cut is on a ladder of modes. A relaxation and a spring are single poles, and other terms without a
+ * cut have no past. In the lists of modes the weights of rising terms are divided by their rates, because they would
  * overflow. */
-typedef struct {
-    size_t count;
-    double *rate, *weight;
-} mode_list;
-
-static int add_mode(mode_list *l, double rate, double weight)
-{
-    if (l->count == MOST_MODES)
-        return FVI_EUNSUP;
-    l->rate[l->count] = rate;
-    l->weight[l->count++] = weight;
-    return FVI_SUCCESS;
-}
+enum { MOST_MODES = 6000 };
 
 /* Return Im C(-sigma + i0) / pi of the rising or of the other terms, with u = ln sigma. */
 static double density(const fvi_variable_step_kernel *k, int rising, double u)
 {
     double sum = 0;
     for (size_t i = 0; i < k->terms; i++)
-        if (has_ladder(&k->term[i]) && is_rising(&k->term[i]) == rising)
+        if (fvi_kernel_has_cut(&k->term[i]) && is_rising(&k->term[i]) == rising)
             sum += fvi_kernel_on_the_cut(&k->term[i], k->term[i].rho, u);
     return sum / M_PI;
 }
@@ -94,7 +67,7 @@ static double density_over_rate(const fvi_variable_step_kernel *k, int rising, d
         return whole / rate;
     for (size_t i = 0; i < k->terms; i++) {
         const fvi_kernel_simple t = divide_by_s(&k->term[i]);
-        if (has_ladder(&k->term[i]) && is_rising(&k->term[i]) == rising)
+        if (fvi_kernel_has_cut(&k->term[i]) && is_rising(&k->term[i]) == rising)
             sum -= fvi_kernel_on_the_cut(&t, t.rho, u); /* s = -sigma there */
     }
     return sum / M_PI;
@@ -108,7 +81,7 @@ static double strip_width(const fvi_variable_step_kernel *k, int rising, int *an
     *any = 0;
     for (size_t i = 0; i < k->terms; i++) {
         const fvi_kernel_simple *t = &k->term[i];
-        if (!has_ladder(t) || is_rising(t) != rising)
+        if (!fvi_kernel_has_cut(t) || is_rising(t) != rising)
             continue;
         *any = 1;
         if (t->time > 0)
@@ -126,7 +99,7 @@ static double fastest_rate(const fvi_variable_step_state *o)
 /* Add the modes from mu = 1e6 in the shortest step down to sigma T = 1e-8. One more mode stands for all rates below,
  * with the same two moments. */
 //> ladder
-static int add_ladder(const fvi_variable_step_state *o, const fvi_variable_step_kernel *k, int rising, mode_list *l)
+static int add_ladder(const fvi_variable_step_state *o, const fvi_variable_step_kernel *k, int rising, fvi_kernel_modes *l)
 {
     int any;
     const double width = strip_width(k, rising, &any), step = 2 * M_PI * width / 36,
@@ -137,37 +110,38 @@ static int add_ladder(const fvi_variable_step_state *o, const fvi_variable_step_
         return FVI_EUNSUP; /* poles are too near to the cut, or off it */
     double u = last, S0 = 0, S1 = 0;
     for (; any && u > first; u -= step)
-        add_mode(l, exp(u), step * (rising ? density_over_rate(k, rising, u, exp(u)) : density(k, rising, u)));
+        fvi_kernel_modes_add(l, exp(u),
+                             step * (rising ? density_over_rate(k, rising, u, exp(u)) : density(k, rising, u)));
     for (size_t i = 0; i < k->terms; i++) {
         const fvi_kernel_simple *t = &k->term[i];
-        if (has_ladder(t) && is_rising(t) == rising)
+        if (fvi_kernel_has_cut(t) && is_rising(t) == rising)
             fvi_kernel_tail(t, step * t->rho / M_PI, 0, u + step, step,
                             rising ? -1 : 0, &S0, &S1);
     }
     if (any && S0 != 0)
-        add_mode(l, S1 / S0, S0);
+        fvi_kernel_modes_add(l, S1 / S0, S0);
     return FVI_SUCCESS;
 }
 //< ladder
 
 /* Add the single poles, and all springs as one mode of the rate 0. */
-static int add_poles(const fvi_variable_step_kernel *k, mode_list *l)
+static void add_poles(const fvi_variable_step_kernel *k, fvi_kernel_modes *l)
 {
     double springs = 0;
-    int status = FVI_SUCCESS;
-    for (size_t i = 0; !status && i < k->terms; i++) {
+    for (size_t i = 0; i < k->terms; i++) {
         const fvi_kernel_simple *t = &k->term[i];
         if (fvi_kernel_is_relaxation(t))
-            status = add_mode(l, 1 / t->time, t->rho / t->time);
+            fvi_kernel_modes_add(l, 1 / t->time, t->rho / t->time);
         if (t->alpha == 0)
             springs += t->rho / (1 + t->time);
     }
-    return status || springs == 0 ? status : add_mode(l, 0, springs);
+    if (springs != 0)
+        fvi_kernel_modes_add(l, 0, springs);
 }
 
-/* Return nonzero if the modes of a term on the cut are complete. k itself may contain a dashpot, so the test compares the change
- * of k from s to 2 s, at all time scales of the run. */
-static int modes_reproduce_kernel(const fvi_kernel_term *t, const fvi_kernel_modes *m,
+/* Return nonzero if the modes of a term on the cut are complete. They stand in the list from mode `first` on. k itself
+ * may contain a dashpot, so the test compares the change of k from s to 2 s, at all time scales of the run. */
+static int modes_reproduce_kernel(const fvi_kernel_term *t, const fvi_kernel_modes *m, size_t first,
                                   double slowest, double fastest)
 {
     for (double s = slowest; s < fastest; s *= 2) {
@@ -175,7 +149,7 @@ static int modes_reproduce_kernel(const fvi_kernel_term *t, const fvi_kernel_mod
                               - creal(fvi_kernel_term_at(t, 2 * s, 0)) / (2 * s),
                      size = creal(fvi_kernel_term_at(t, s, 0)) / s;
         double sum = 0;
-        for (size_t j = 0; j < m->count; j++)
+        for (size_t j = first; j < m->count; j++)
             sum += m->weight[j]
                    * (1 / (s + m->rate[j]) - 1 / (2 * s + m->rate[j]));
         if (!(fabs(sum - change) <= 1e-11 * fabs(size)))
@@ -185,30 +159,24 @@ static int modes_reproduce_kernel(const fvi_kernel_term *t, const fvi_kernel_mod
 }
 
 /* Add the modes of one general term. Try the widest strip first. */
-static int add_general_term(const fvi_variable_step_state *o, const fvi_kernel_term *t, mode_list *l)
+static int add_general_term(const fvi_variable_step_state *o, const fvi_kernel_term *t, fvi_kernel_modes *l)
 {
     if (!isfinite(fastest_rate(o)))
         FVI_FAIL("the run is too short: the fastest decay rate of its memory would be above 1.8e308", FVI_EDOM);
+    const size_t before = l->count;
     for (double width = 1; width > 0.1; width /= 2) {
-        fvi_kernel_modes m;
-        int status = fvi_kernel_modes_of(t, 1e-2 / o->T, fastest_rate(o), 1e-15,
-                                         width, &m);
-        if (status == FVI_EUNSUP)
-            continue;
-        if (status)
+        const int status = fvi_kernel_modes_of(t, 1e-2 / o->T, fastest_rate(o), 1e-15, width, l);
+        if (status && status != FVI_EUNSUP)
             return status;
-        const int all = !fvi_kernel_is_on_cut(t)
-                        || modes_reproduce_kernel(t, &m, 1 / o->T, 1e-6 / o->least);
-        for (size_t j = 0; all && !status && j < m.count; j++)
-            status = add_mode(l, m.rate[j], m.weight[j]);
-        free(m.rate);
-        if (all)
-            return status;
+        if (!status
+            && (!fvi_kernel_is_on_cut(t) || modes_reproduce_kernel(t, l, before, 1 / o->T, 1e-6 / o->least)))
+            return FVI_SUCCESS;
+        l->count = before;
     }
     return FVI_EUNSUP;
 }
 
-static int add_general(const fvi_variable_step_state *o, const fvi_kernel *law, mode_list *l)
+static int add_general(const fvi_variable_step_state *o, const fvi_kernel *law, fvi_kernel_modes *l)
 {
     int status = FVI_SUCCESS;
     for (size_t i = 0; !status && i < law->count; i++)
@@ -218,15 +186,18 @@ static int add_general(const fvi_variable_step_state *o, const fvi_kernel *law, 
 }
 
 /* Allocate the modes of one group for `count` numbers; none if the list is empty. */
-static int make_modes(const fvi_variable_step_state *o, int rising, size_t count, mode_list *l, fvi_modes **modes)
+static int make_modes(const fvi_variable_step_state *o, int rising, size_t count, fvi_kernel_modes *l,
+                      fvi_modes **modes)
 {
     const double standstill = 1e-16 / o->T;
+    const int status = fvi_kernel_modes_check(l);
     for (size_t q = 0; q < l->count; q++) {
         l->rate[q] = larger(l->rate[q], standstill);
         l->weight[q] /= rising ? -1 : l->rate[q];
     }
-    return l->count == 0 ? FVI_SUCCESS
-                         : fvi_modes_of_rates(o->rule, rising, count, o->T, l->count, l->rate, l->weight, modes);
+    return status || l->count == 0
+               ? status
+               : fvi_modes_of_rates(o->rule, rising, count, o->T, l->count, l->rate, l->weight, modes);
 }
 
 /* ---- preparation ---- */
@@ -263,14 +234,9 @@ fvi_variable_step_copy_kernel(const fvi_variable_step_kernel *from)
 int fvi_variable_step_begin_kernel(const fvi_variable_step_state *o, const fvi_variable_step_kernel *k, size_t count,
                                    fvi_modes **modes, fvi_modes **rising)
 {
-    double *room = malloc(4 * MOST_MODES * sizeof *room);
-    if (!room)
-        FVI_FAIL("no memory for the modes", FVI_ENOMEM);
-    mode_list slow = { 0, room, room + MOST_MODES },
-              fast = { 0, room + 2 * MOST_MODES, room + 3 * MOST_MODES };
+    fvi_kernel_modes slow = { 0 }, fast = { 0 };
     int status = add_ladder(o, k, 0, &slow);
-    if (!status)
-        status = add_poles(k, &slow);
+    add_poles(k, &slow);
     if (!status)
         status = add_general(o, k->law, &slow);
     if (!status)
@@ -280,7 +246,8 @@ int fvi_variable_step_begin_kernel(const fvi_variable_step_state *o, const fvi_v
         status = make_modes(o, 0, count, &slow, modes);
     if (!status)
         status = make_modes(o, 1, count, &fast, rising);
-    free(room);
+    free(slow.rate);
+    free(fast.rate);
     if (none)
         FVI_FAIL("law: a pole of this law is too near to its cut, or off it, for modes of variable steps; fvi-bdf2 "
                  "and fvi-stable take it", FVI_EUNSUP);
