@@ -243,7 +243,7 @@ static int stage_weights(size_t s, size_t count)
     double v[FVI_STAGES] = { 1, 1, 1, 1 }, H[FVI_STAGES];
     fvi_lobatto_history *m;
     int status = fvi_lobatto_history_alloc(s, 2 * input.alpha - 1, 1, count,
-                                          FVI_HISTORY_MODES, 0, &m);
+                                          FVI_HISTORY_MODES, 0, 0, &m);
     if (status)
         return status;
     const double *last = fvi_lobatto_history_w0(m) + s * (s - 1);
@@ -251,7 +251,7 @@ static int stage_weights(size_t s, size_t count)
     for (size_t i = 0; i < s; i++)
         weights[0] += last[i];
     for (size_t n = 1; n < count; n++) {
-        fvi_lobatto_history_push(m, v, H);
+        fvi_lobatto_history_push(m, v, H, NULL);
         weights[n] = H[s - 1];
         memset(v, 0, sizeof v);
     }

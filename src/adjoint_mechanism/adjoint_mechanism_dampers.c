@@ -225,7 +225,7 @@ int fvi_adjoint_mechanism_damper_push(fvi_adjoint_mechanism *m, fvi_adjoint_mech
     for (size_t i = 0; i < m->s; i++)
         y[i] = a->nu[m->s - 1 - i] / rule->b[m->s - 1 - i];
     if (a->stages)
-        status = fvi_lobatto_history_push(a->stages, y, a->past);
+        status = fvi_lobatto_history_push(a->stages, y, a->past, NULL);
     if (status || !a->of_stages.each)
         return status;
     for (size_t i = 0; i < m->s; i++) /* the weights of the terms contain h */

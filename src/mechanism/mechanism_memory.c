@@ -267,7 +267,7 @@ int fvi_mechanism_update_histories(fvi_stepper *s, double t, const double *z)
             double v[FVI_STAGES];
             for (size_t i = 0; i < n; i++)
                 v[i] = z[p->damper * n + i] - p->drift;
-            status = fvi_lobatto_history_push(p->stages, v, p->last);
+            status = fvi_lobatto_history_push(p->stages, v, p->last, NULL);
             continue;
         }
         double now = z[p->damper] - p->drift * t, H;

@@ -109,7 +109,7 @@ static int add_history_force(fvi_stepper *s, fvi_lobatto_stages *o)
     const size_t stages = o->s;
     if (o->memory && s->k > 0) {
         int status =
-            fvi_lobatto_history_push_by_order(o->memory, o->v, o->Y, o->Ydot);
+            fvi_lobatto_history_push(o->memory, o->v, o->Y, o->Ydot);
         if (status)
             return status;
     }

@@ -199,8 +199,7 @@ int fvi_stage_dampers_push(fvi_lobatto_matrices *o)
     int status = FVI_SUCCESS;
     for (size_t j = 0; !status && j < o->dampers; j++) {
         fvi_stage_damper *a = o->each + j;
-        status = a->Ydot ? fvi_lobatto_history_push_by_order(a->memory, a->slope, a->Y, a->Ydot)
-                         : fvi_lobatto_history_push(a->memory, a->slope, a->Y);
+        status = fvi_lobatto_history_push(a->memory, a->slope, a->Y, a->Ydot);
     }
     return status;
 }

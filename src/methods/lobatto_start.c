@@ -125,8 +125,7 @@ int fvi_lobatto_history_of_damper(const fvi_run *run, const fvi_run_damper *of, 
     if (of->law)
         return fvi_lobatto_history_of_kernel(s, of->law, run->h, d, run->steps,
                                              run->memory, keep, memory);
-    return (by_order ? fvi_lobatto_history_alloc_by_order : fvi_lobatto_history_alloc)(
-        s, beta, d, run->steps, run->memory, keep, memory);
+    return fvi_lobatto_history_alloc(s, beta, d, run->steps, run->memory, by_order, keep, memory);
 }
 
 /* Compute W_0 and the history for the order beta = 2 alpha - 1. If no coordinate is damped, W = 0. */

@@ -111,8 +111,7 @@ static int start_term(const fvi_run *run, const fvi_sensitivities *want, size_t 
         && (want->times || (by_order && term->time > 0)))
         status = convolve(t, run, keep, &alone, &t->again);
     if (!status && by_order)
-        status = fvi_lobatto_history_alloc_by_order(s, 0, d, run->steps, run->memory, keep,
-                                                    &t->log.memory);
+        status = fvi_lobatto_history_alloc(s, 0, d, run->steps, run->memory, 1, keep, &t->log.memory);
     if (!status && is_davidson(t))
         status = start_davidson(run, want, keep, t);
     return status ? status : start_slopes(run, want, keep, t);
@@ -183,7 +182,7 @@ void fvi_stage_term_next(fvi_stage_term *t, size_t j, const double *nu)
 
 static int push(fvi_stage_convolution *c, const double *in)
 {
-    return c->memory ? fvi_lobatto_history_push(c->memory, in, c->past)
+    return c->memory ? fvi_lobatto_history_push(c->memory, in, c->past, NULL)
                      : FVI_SUCCESS;
 }
 
@@ -197,7 +196,7 @@ static int update_history_of_term(fvi_stage_term *t, const double *nu)
     if (!status)
         status = push(&t->less, t->rate);
     if (!status && t->log.memory)
-        status = fvi_lobatto_history_push_by_order(t->log.memory, t->left, t->room, t->log.past);
+        status = fvi_lobatto_history_push(t->log.memory, t->left, t->room, t->log.past);
     for (size_t j = 0; j < t->d; j++)
         t->before[j] = t->self.now[j * t->s + t->s - 1];
     return status;

@@ -54,7 +54,7 @@ typedef struct {
 
 /* fvi_stage_terms_start -- start the histories for the wanted derivatives by all terms of a law, with the tolerance
  * `keep`. Give *terms back with fvi_stage_terms_stop, also after an error. Returns FVI_SUCCESS; what
- * fvi_lobatto_history_of_kernel and fvi_lobatto_history_alloc_by_order return; FVI_ENOMEM.
+ * fvi_lobatto_history_of_kernel and fvi_lobatto_history_alloc return; FVI_ENOMEM.
  * fvi_stage_terms_accumulate -- take in nu of number j, a multiplier at the stages in reverse order. Then subtract the
  * products of the sums with `weight` times the velocities v of this number from the wanted derivatives by the terms
  * `first`, first + 1, ...

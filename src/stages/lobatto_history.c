@@ -3,6 +3,7 @@
 
 #include "lobatto_kernel.h"
 #include "memory/history_kinds.h" /* fvi_check_count */
+#include "system/archive_pieces.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -170,8 +171,7 @@ static void skip_near_lags(fvi_lobatto_history *m)
         }
 }
 
-/* Allocate a history for the power Delta^beta. */
-static int allocate_for_power(size_t s, double beta, size_t d, size_t steps,
+int fvi_lobatto_history_alloc(size_t s, double beta, size_t d, size_t steps,
                               fvi_history_kind kind, int by_order, double tolerance,
                               fvi_lobatto_history **memory)
 {
@@ -187,8 +187,7 @@ static int allocate_for_power(size_t s, double beta, size_t d, size_t steps,
         .s = s, .d = d, .steps = steps, .lags = lags, .Q = Q, .by_order = by_order });
     if (!m)
         FVI_FAIL("no memory for the history", FVI_ENOMEM);
-    status =
-        fvi_lobatto_weights_by_order(s, beta, lags + 1, m->W, by_order ? m->W_rate : NULL);
+    status = fvi_lobatto_weights(s, beta, lags + 1, m->W, by_order ? m->W_rate : NULL);
     if (status) {
         fvi_lobatto_history_free(m);
         return status;
@@ -201,20 +200,6 @@ static int allocate_for_power(size_t s, double beta, size_t d, size_t steps,
     skip_near_lags(m);
     *memory = m;
     return FVI_SUCCESS;
-}
-
-int fvi_lobatto_history_alloc(size_t s, double beta, size_t d, size_t steps,
-                              fvi_history_kind kind, double tolerance,
-                              fvi_lobatto_history **memory)
-{
-    return allocate_for_power(s, beta, d, steps, kind, 0, tolerance, memory);
-}
-
-int fvi_lobatto_history_alloc_by_order(size_t s, double beta, size_t d, size_t steps,
-                                       fvi_history_kind kind, double tolerance,
-                                       fvi_lobatto_history **memory)
-{
-    return allocate_for_power(s, beta, d, steps, kind, 1, tolerance, memory);
 }
 
 /* Allocate a history for a law that has been prepared. */
@@ -293,20 +278,12 @@ int fvi_lobatto_history_copy(const fvi_lobatto_history *from,
  * constants, which must be equal. */
 int fvi_lobatto_history_archive(fvi_lobatto_history *m, size_t k, fvi_archive *v)
 {
-    const size_t number = sizeof(double);
-    int status = v->serialize(v, &m->lags, sizeof m->lags, 1);
-    if (!status)
-        status = v->serialize(v, &m->Q, sizeof m->Q, 1);
-    if (!status)
-        status = v->serialize(v, m->q, (2 + m->s) * m->Q * number, 1);
-    if (!status)
-        status = v->serialize(v, &m->k, sizeof m->k, 0);
+    int status = FVI_SERIALIZE(v, FVI_CONSTANT(m->lags), FVI_CONSTANT(m->Q), FVI_CONSTANTS(m->q, (2 + m->s) * m->Q),
+                               FVI_STATE(m->k));
     if (!status)
         status = fvi_check_count(m->k, k);
-    if (!status)
-        status = v->serialize(v, m->z, m->d * m->Q * number, 0);
     return status ? status
-                  : v->serialize(v, m->past, m->lags * m->s * m->d * number, 0);
+                  : FVI_SERIALIZE(v, FVI_STATES(m->z, m->d * m->Q), FVI_STATES(m->past, m->lags * m->s * m->d));
 }
 
 void fvi_lobatto_history_free(fvi_lobatto_history *m)
@@ -327,14 +304,8 @@ const double *fvi_lobatto_history_w0_by_order(const fvi_lobatto_history *m)
     return m->W_rate;
 }
 
-int fvi_lobatto_history_push(fvi_lobatto_history *m, const double *v, double *H)
-{
-    return fvi_lobatto_history_push_by_order(m, v, H, NULL);
-}
-
 //> push
-int fvi_lobatto_history_push_by_order(fvi_lobatto_history *m, const double *v,
-                                      double *H, double *Hdot)
+int fvi_lobatto_history_push(fvi_lobatto_history *m, const double *v, double *H, double *Hdot)
 {
     if (!m || !v || !H)
         FVI_FAIL("null pointer", FVI_EFAULT);

@@ -238,7 +238,7 @@ static int divide(size_t s, double T, size_t n, double *Q, double *N)
 /* Compute (Delta/h)^(2 alpha - 1). */
 static int power(size_t s, double alpha, double h, size_t n, double *N)
 {
-    const int status = fvi_lobatto_weights(s, 2 * alpha - 1, n, N);
+    const int status = fvi_lobatto_weights(s, 2 * alpha - 1, n, N, NULL);
     for (size_t i = 0; !status && i < n * s * s; i++)
         N[i] *= pow(h, 1 - 2 * alpha);
     return status;

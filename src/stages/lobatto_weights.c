@@ -337,13 +337,7 @@ static void copy_or_sum(size_t s, size_t k, const series *first, size_t Q,
         fvi_lobatto_sum(s, Q, q, a, W);
 }
 
-int fvi_lobatto_weights(size_t s, double beta, size_t n, double *W)
-{
-    return fvi_lobatto_weights_by_order(s, beta, n, W, NULL);
-}
-
-int fvi_lobatto_weights_by_order(size_t s, double beta, size_t n, double *W,
-                             double *rate)
+int fvi_lobatto_weights(size_t s, double beta, size_t n, double *W, double *rate)
 {
     if (!W)
         FVI_FAIL("null pointer", FVI_EFAULT);

@@ -31,30 +31,23 @@ double fvi_lobatto_polynomial(const fvi_lobatto_rule *r, size_t s, size_t j,
 void fvi_lobatto_table(const fvi_lobatto_rule *r, size_t s,
                        double A[FVI_STAGES][FVI_STAGES]);
 
-/* fvi_lobatto_weights -- Compute the matrices W_0, ..., W_{n-1}. [(17.5), (17.10)]
+/* fvi_lobatto_weights -- Compute the matrices W_0, ..., W_{n-1}, and their derivatives by beta. [(17.5), (17.10),
+ * (23.14)]
  *
  *   s     number of stages, 2 to 8
  *   beta  -1 <= beta <= 1
  *   n     number of matrices, n >= 1
  *   W     output, n s s numbers: entry (i, j) of W_k at [(k * s + i) * s + j]
+ *   rate  NULL, or output: the derivatives, ordered as W
  *
  * The step size is not included: multiply by h^(-beta). Cost: 20 us for s = 4, ten times as much for the first call in
  * a process, and O(n Q) with Q about 100. Accuracy in units of 2^-53 max|W_0|: 1000 for the first four matrices (no
- * proof; seen 313), 100 for the other matrices (seen 13).
+ * proof; seen 313), 100 for the other matrices (seen 13). Accuracy of the derivatives in units of 2^-53 of the largest
+ * one: 2000 for the first four matrices (no proof; seen 240), 1000 for the other matrices (seen 52).
  *
  * Return FVI_SUCCESS; FVI_EFAULT if W is NULL; FVI_EINVAL if s is not in 2, ..., 8 or n is 0 or too large to be
  * addressed; FVI_EDOM if beta is out of range; FVI_ENOMEM. On error W is unchanged. */
-int fvi_lobatto_weights(size_t s, double beta, size_t n, double *W);
-
-/* fvi_lobatto_weights_by_order -- Compute W_0, ..., W_{n-1}, and their derivatives by beta. [(23.14)]
- *
- *   s, beta, n, W  as above
- *   rate           output, ordered as W, or NULL
- *
- * Cost and codes are the same. Accuracy of the derivatives in units of 2^-53 of the largest one: 2000 for the first
- * four matrices (no proof; seen 240), 1000 for the other matrices (seen 52). */
-int fvi_lobatto_weights_by_order(size_t s, double beta, size_t n, double *W,
-                             double *rate);
+int fvi_lobatto_weights(size_t s, double beta, size_t n, double *W, double *rate);
 
 /* ---- lobatto_nodes.c: internal, nothing is checked ---- */
 

@@ -1,6 +1,7 @@
 /* src/stages/variable_modes.c -- The history of variable steps as a sum of modes. [H 22] */
 #include "variable_modes.h"
 
+#include "system/archive_pieces.h"
 #include "system/fail.h"
 #include "variable_loops.h"
 #include "variable_table.h"
@@ -314,21 +315,9 @@ int fvi_modes_copy(const fvi_modes *from, fvi_modes **to)
 
 int fvi_modes_archive(fvi_modes *m, fvi_archive *v)
 {
-    const struct {
-        void *data;
-        size_t bytes;
-        int constant;
-    } pieces[] = { { &m->Q, sizeof m->Q, 1 },
-                   { m->sigma, 2 * m->Q * sizeof *m->sigma, 1 },
-                   { m->y, m->d * m->Q * sizeof *m->y, 0 },
-                   { m->last, m->d * sizeof *m->last, 0 },
-                   { &m->active, sizeof m->active, 0 },
-                   { &m->before.h, sizeof m->before.h, 0 },
-                   { &m->before.k, sizeof m->before.k, 0 } };
-    int status = 0;
-    for (size_t i = 0; !status && i < sizeof pieces / sizeof *pieces; i++)
-        status =
-            v->serialize(v, pieces[i].data, pieces[i].bytes, pieces[i].constant);
+    const int status = FVI_SERIALIZE(v, FVI_CONSTANT(m->Q), FVI_CONSTANTS(m->sigma, 2 * m->Q),
+                                     FVI_STATES(m->y, m->d * m->Q), FVI_STATES(m->last, m->d), FVI_STATE(m->active),
+                                     FVI_STATE(m->before.h), FVI_STATE(m->before.k));
     m->now = (fvi_length){ 0 };
     if (status)
         return status;

@@ -117,8 +117,7 @@ static int find_sums(fvi_tangent_run *o, fvi_tangent_damper *a)
             Y[at] *= a->unit;
             Ydot[at] = a->unit * Ydot[at] - log_h * Y[at];
         }
-    return a->of.law ? fvi_lobatto_history_push(a->of_stages, a->v, a->Y)
-                     : fvi_lobatto_history_push_by_order(a->of_stages, a->v, a->Y, a->Ydot);
+    return fvi_lobatto_history_push(a->of_stages, a->v, a->Y, a->of.law ? NULL : a->Ydot);
 }
 
 /* The force that direction j changes through the numbers of a law, for rho = 1. `at` is the index of number and

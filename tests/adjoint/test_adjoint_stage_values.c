@@ -25,7 +25,7 @@ START_TEST(eq_23_14_the_rates_of_the_matrices)
     for (size_t i = 0; i < LEN(ref_stage_rates); i++) {
         const size_t s = ref_stage_rates[i].s, n = ref_stage_rates[i].n;
         ck_assert_int_eq(
-            fvi_lobatto_weights_by_order(s, ref_stage_rates[i].beta, LAGS, W, rate),
+            fvi_lobatto_weights(s, ref_stage_rates[i].beta, LAGS, W, rate),
             FVI_SUCCESS);
         const double unit = largest(rate, 5 * s * s);
         for (size_t j = 0; j < s * s; j++) {
@@ -52,22 +52,22 @@ START_TEST(eq_23_14_modes_read_a_second_time_give_the_rates_of_stages)
         const double beta = betas[i % LEN(betas)],
                      tolerance = tolerances[i / LEN(betas)];
         fvi_lobatto_history *modes, *all;
-        ck_assert_int_eq(fvi_lobatto_history_alloc_by_order(S, beta, 1, STEPS,
-                                                       FVI_HISTORY_MODES,
+        ck_assert_int_eq(fvi_lobatto_history_alloc(S, beta, 1, STEPS,
+                                                       FVI_HISTORY_MODES, 1,
                                                        tolerance, &modes),
                          FVI_SUCCESS);
-        ck_assert_int_eq(fvi_lobatto_history_alloc_by_order(
-                             S, beta, 1, STEPS, FVI_HISTORY_DIRECT, 0, &all),
+        ck_assert_int_eq(fvi_lobatto_history_alloc(
+                             S, beta, 1, STEPS, FVI_HISTORY_DIRECT, 1, 0, &all),
                          FVI_SUCCESS);
         for (size_t k = 1; k <= STEPS; k++) {
             double v[S], H[2][S], rate[2][S];
             for (size_t l = 0; l < S; l++)
                 v[l] = cos(0.01 * (double)(k * S + l));
             ck_assert_int_eq(
-                fvi_lobatto_history_push_by_order(modes, v, H[0], rate[0]),
+                fvi_lobatto_history_push(modes, v, H[0], rate[0]),
                 FVI_SUCCESS);
             ck_assert_int_eq(
-                fvi_lobatto_history_push_by_order(all, v, H[1], rate[1]),
+                fvi_lobatto_history_push(all, v, H[1], rate[1]),
                 FVI_SUCCESS);
             const double time = (double)k,
                          unit = larger(1, pow(time, -beta)) * (1 + log(time));
@@ -91,9 +91,9 @@ START_TEST(a_memory_without_rates_has_none_to_give)
     fvi_lobatto_history *m;
     double v[2] = { 1, 2 }, H[2], rate[2];
     ck_assert_int_eq(
-        fvi_lobatto_history_alloc(2, 0.3, 1, 9, FVI_HISTORY_AUTO, 0, &m),
+        fvi_lobatto_history_alloc(2, 0.3, 1, 9, FVI_HISTORY_AUTO, 0, 0, &m),
         FVI_SUCCESS);
-    ck_assert_int_eq(fvi_lobatto_history_push_by_order(m, v, H, rate), FVI_EUNSUP);
+    ck_assert_int_eq(fvi_lobatto_history_push(m, v, H, rate), FVI_EUNSUP);
     fvi_lobatto_history_free(m);
 }
 END_TEST

@@ -113,7 +113,7 @@ START_TEST(eq_26_12_a_power_has_the_weights_of_chapter_17)
                                           { FVI_KERNEL_POWER, 0.5, alpha, 0, 0 } };
             double *W = weights_of(&(fvi_kernel){ 2, half }, s, h, LONG),
                    *want = malloc(LONG * s * s * sizeof *want);
-            ck_assert_int_eq(fvi_lobatto_weights(s, 2 * alpha - 1, LONG, want),
+            ck_assert_int_eq(fvi_lobatto_weights(s, 2 * alpha - 1, LONG, want, NULL),
                              0);
             const double most = scale * largest(s * s, want);
             for (size_t i = 0; i < LONG * s * s; i++)
@@ -227,7 +227,7 @@ START_TEST(eq_26_12_modes_are_the_weights)
             for (size_t i = 0; i < s; i++)
                 v[i] = gsl_rng_uniform(random);
             for (int i = 0; i < 2; i++)
-                ck_assert_int_eq(fvi_lobatto_history_push(m[i], v, H[i]), 0);
+                ck_assert_int_eq(fvi_lobatto_history_push(m[i], v, H[i], NULL), 0);
             for (size_t i = 0; i < s; i++)
                 ck_assert_near(H[1][i], H[0][i], 1e-13 * size, "turn %d k %zu",
                                turn, k);

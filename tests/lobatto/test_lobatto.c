@@ -19,7 +19,7 @@ static double W[(N + 1) * 16], V[(N + 1) * 16];
 
 static void weights(size_t s, double beta, double *w)
 {
-    ck_assert_int_eq(fvi_lobatto_weights(s, beta, N + 1, w), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_lobatto_weights(s, beta, N + 1, w, NULL), FVI_SUCCESS);
 }
 
 static double largest(size_t n, const double *v)
@@ -184,7 +184,7 @@ START_TEST(eq_17_11_the_damping_only_takes)
                  kind += FVI_HISTORY_MODES - FVI_HISTORY_DIRECT) {
                 fvi_lobatto_history *m;
                 ck_assert_int_eq(fvi_lobatto_history_alloc(s, betas[t], 1, N,
-                                                          (fvi_history_kind)kind,
+                                                          (fvi_history_kind)kind, 0,
                                                           0, &m),
                                  FVI_SUCCESS);
                 const double *w = fvi_lobatto_history_w0(m),
@@ -202,7 +202,7 @@ START_TEST(eq_17_11_the_damping_only_takes)
                         scale += fabs(Y);
                     }
                     ck_assert_double_ge(work, -NEAR * scale);
-                    ck_assert_int_eq(fvi_lobatto_history_push(m, v, H),
+                    ck_assert_int_eq(fvi_lobatto_history_push(m, v, H, NULL),
                                      FVI_SUCCESS);
                 }
                 fvi_lobatto_history_free(m);
@@ -224,13 +224,13 @@ START_TEST(eq_17_12_modes_equal_the_direct_sum)
         for (size_t t = 0; t < LEN(betas); t++) {
             fvi_lobatto_history *direct, *fast[LEN(tolerances)];
             ck_assert_int_eq(fvi_lobatto_history_alloc(s, betas[t], D, MANY,
-                                                      FVI_HISTORY_DIRECT, 0,
+                                                      FVI_HISTORY_DIRECT, 0, 0,
                                                       &direct),
                              FVI_SUCCESS);
             for (size_t e = 0; e < LEN(tolerances); e++)
                 ck_assert_int_eq(
                     fvi_lobatto_history_alloc(s, betas[t], D, MANY,
-                                             FVI_HISTORY_MODES,
+                                             FVI_HISTORY_MODES, 0,
                                              tolerances[e], &fast[e]),
                     FVI_SUCCESS);
             seen((double)fvi_lobatto_few_nodes(s, betas[t], MANY, 1e-13, NULL,
@@ -240,12 +240,12 @@ START_TEST(eq_17_12_modes_equal_the_direct_sum)
             for (size_t k = 0; k < MANY; k++) {
                 for (size_t i = 0; i < s * D; i++)
                     v[i] = 0.5 + 0.5 * rand() / (double)RAND_MAX;
-                fvi_lobatto_history_push(direct, v, H);
+                fvi_lobatto_history_push(direct, v, H, NULL);
                 const double size = larger(1, pow((double)k + 1, -betas[t]));
                 for (size_t e = 0; e < LEN(tolerances); e++) {
                     const double keep =
                         tolerances[e] > 0 ? tolerances[e] : 1e-13;
-                    fvi_lobatto_history_push(fast[e], v, G);
+                    fvi_lobatto_history_push(fast[e], v, G, NULL);
                     for (size_t i = 0; i < s * D; i++)
                         ck_assert_near(G[i], H[i],
                                        keep * size
@@ -293,7 +293,7 @@ START_TEST(eq_17_12_few_nodes_are_the_sums_of_all)
                 const double at[] = { 4, 20, floor(lengths[l] / 3), lengths[l] };
                 all.Q = fvi_lobatto_nodes(s, betas[t], lengths[l], 1e-16, 0, all.q, NULL, all.p, all.a, MOST);
                 double W0[FVI_STAGES * FVI_STAGES];
-                ck_assert_int_eq(fvi_lobatto_weights(s, betas[t], 1, W0), FVI_SUCCESS);
+                ck_assert_int_eq(fvi_lobatto_weights(s, betas[t], 1, W0, NULL), FVI_SUCCESS);
                 for (size_t e = 0; e < LEN(tolerances); e++) {
                     few.Q = fvi_lobatto_few_nodes(s, betas[t], lengths[l], tolerances[e], NULL, NULL, NULL, 0);
                     ck_assert_uint_eq(few.Q, fvi_lobatto_few_nodes(s, betas[t], lengths[l], tolerances[e], few.q,
@@ -316,14 +316,14 @@ END_TEST
 START_TEST(bad_stages_are_refused)
 {
     double w[] = { 7 };
-    ck_assert_int_eq(fvi_lobatto_weights(3, 0.5, 1, NULL), FVI_EFAULT);
-    ck_assert_int_eq(fvi_lobatto_weights(1, 0.5, 1, w), FVI_EINVAL);
-    ck_assert_int_eq(fvi_lobatto_weights(9, 0.5, 1, w), FVI_EINVAL);
-    ck_assert_int_eq(fvi_lobatto_weights(3, 0.5, 0, w), FVI_EINVAL);
-    ck_assert_int_eq(fvi_lobatto_weights(3, 0.5, SIZE_MAX, w), FVI_EINVAL);
-    ck_assert_int_eq(fvi_lobatto_weights(3, 1.01, 1, w), FVI_EDOM);
-    ck_assert_int_eq(fvi_lobatto_weights(3, -1.01, 1, w), FVI_EDOM);
-    ck_assert_int_eq(fvi_lobatto_weights(3, GSL_NAN, 1, w), FVI_EDOM);
+    ck_assert_int_eq(fvi_lobatto_weights(3, 0.5, 1, NULL, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_lobatto_weights(1, 0.5, 1, w, NULL), FVI_EINVAL);
+    ck_assert_int_eq(fvi_lobatto_weights(9, 0.5, 1, w, NULL), FVI_EINVAL);
+    ck_assert_int_eq(fvi_lobatto_weights(3, 0.5, 0, w, NULL), FVI_EINVAL);
+    ck_assert_int_eq(fvi_lobatto_weights(3, 0.5, SIZE_MAX, w, NULL), FVI_EINVAL);
+    ck_assert_int_eq(fvi_lobatto_weights(3, 1.01, 1, w, NULL), FVI_EDOM);
+    ck_assert_int_eq(fvi_lobatto_weights(3, -1.01, 1, w, NULL), FVI_EDOM);
+    ck_assert_int_eq(fvi_lobatto_weights(3, GSL_NAN, 1, w, NULL), FVI_EDOM);
     ck_assert_double_eq(w[0], 7);
     ck_assert_ptr_null(fvi_lobatto(1));
     ck_assert_ptr_null(fvi_lobatto(9));
@@ -333,7 +333,7 @@ START_TEST(bad_stages_are_refused)
                           fast = FVI_HISTORY_MODES;
 #define REFUSED(s, beta, d, steps, kind, tolerance, code)                      \
     ck_assert_int_eq(                                                          \
-        fvi_lobatto_history_alloc(s, beta, d, steps, kind, tolerance, &m),      \
+        fvi_lobatto_history_alloc(s, beta, d, steps, kind, 0, tolerance, &m),      \
         code);                                                                 \
     ck_assert_ptr_eq(m, w);
     REFUSED(1, 0.5, 1, 9, direct, 0, FVI_EINVAL)
@@ -349,34 +349,34 @@ START_TEST(bad_stages_are_refused)
     REFUSED(3, 0.5, 1, 65, FVI_HISTORY_AUTO, 1e-15, FVI_ETOL)
     REFUSED(3, 0.5, 1, (size_t)1 << 50, direct, 0, FVI_ENOMEM)
 #undef REFUSED
-    ck_assert_int_eq(fvi_lobatto_history_alloc(3, 0.5, 1, 9, direct, 0, NULL),
+    ck_assert_int_eq(fvi_lobatto_history_alloc(3, 0.5, 1, 9, direct, 0, 0, NULL),
                      FVI_EFAULT);
-    ck_assert_int_eq(fvi_lobatto_history_alloc(2, 0.5, 1, 2, fast, 0, &m),
+    ck_assert_int_eq(fvi_lobatto_history_alloc(2, 0.5, 1, 2, fast, 0, 0, &m),
                      FVI_SUCCESS);
     double v[] = { 1, 1 }, H[] = { 7, 7 };
-    ck_assert_int_eq(fvi_lobatto_history_push(NULL, v, H), FVI_EFAULT);
-    ck_assert_int_eq(fvi_lobatto_history_push(m, NULL, H), FVI_EFAULT);
-    ck_assert_int_eq(fvi_lobatto_history_push(m, v, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_lobatto_history_push(NULL, v, H, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_lobatto_history_push(m, NULL, H, NULL), FVI_EFAULT);
+    ck_assert_int_eq(fvi_lobatto_history_push(m, v, NULL, NULL), FVI_EFAULT);
     ck_assert_double_eq(H[0], 7);
-    ck_assert_int_eq(fvi_lobatto_history_push(m, v, H), FVI_SUCCESS);
-    ck_assert_int_eq(fvi_lobatto_history_push(m, v, v), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_lobatto_history_push(m, v, H, NULL), FVI_SUCCESS);
+    ck_assert_int_eq(fvi_lobatto_history_push(m, v, v, NULL), FVI_SUCCESS);
     H[0] = 7;
-    ck_assert_int_eq(fvi_lobatto_history_push(m, v, H), FVI_EINVAL);
+    ck_assert_int_eq(fvi_lobatto_history_push(m, v, H, NULL), FVI_EINVAL);
     ck_assert_double_eq(H[0], 7);
     fvi_lobatto_history_free(m);
     fvi_lobatto_history_free(NULL);
     ck_assert_int_eq(/* summed directly, so nothing is left out */
-                     fvi_lobatto_history_alloc(3, 0.5, 1, 64, FVI_HISTORY_AUTO,
+                     fvi_lobatto_history_alloc(3, 0.5, 1, 64, FVI_HISTORY_AUTO, 0,
                                               1e-15, &m),
                      FVI_SUCCESS);
     fvi_lobatto_history_free(m);
     for (int beta = -1; beta <= 0; beta++) { /* no history, whatever the kind */
         ck_assert_int_eq(
-            fvi_lobatto_history_alloc(3, beta, 1, SIZE_MAX, direct, 0, &m),
+            fvi_lobatto_history_alloc(3, beta, 1, SIZE_MAX, direct, 0, 0, &m),
             FVI_SUCCESS);
         fvi_lobatto_history_free(m);
         ck_assert_int_eq(
-            fvi_lobatto_history_alloc(3, beta, 1, 9, fast, 1e-15, &m),
+            fvi_lobatto_history_alloc(3, beta, 1, 9, fast, 0, 1e-15, &m),
             FVI_SUCCESS);
         fvi_lobatto_history_free(m);
     }

@@ -328,7 +328,7 @@ START_TEST(bytes_of_the_stages_are_what_is_kept)
             i < 45 ? FVI_HISTORY_DIRECT : FVI_HISTORY_AUTO;
         fvi_lobatto_history *m = NULL;
         const double before = heap();
-        ck_assert_int_eq(fvi_lobatto_history_alloc(s, beta, d, N, kind, 0, &m),
+        ck_assert_int_eq(fvi_lobatto_history_alloc(s, beta, d, N, kind, 0, 0, &m),
                          FVI_SUCCESS);
         const double taken = heap() - before,
                      said = fvi_lobatto_history_bytes(s, beta, d, N, kind, 0);

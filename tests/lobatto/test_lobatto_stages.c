@@ -33,7 +33,7 @@ START_TEST(eq_17_5_weights_of_many_stages_match_cauchys_integral)
     double largest = 0;
     for (size_t e = 0; e < LEN(ref_many_stages); e++) {
         const size_t s = ref_many_stages[e].s, n = ref_many_stages[e].n;
-        ck_assert_int_eq(fvi_lobatto_weights(s, ref_many_stages[e].beta, 6, W),
+        ck_assert_int_eq(fvi_lobatto_weights(s, ref_many_stages[e].beta, 6, W, NULL),
                          FVI_SUCCESS);
         if (n == 0)
             largest = farthest(0, s * s, W, NULL);
@@ -63,19 +63,19 @@ START_TEST(eq_17_12_modes_of_many_stages_equal_the_direct_sum)
             fvi_lobatto_history *direct, *fast;
             const double beta = betas[t];
             ck_assert_int_eq(fvi_lobatto_history_alloc(
-                                 s, beta, 1, N, FVI_HISTORY_DIRECT, 0, &direct),
+                                 s, beta, 1, N, FVI_HISTORY_DIRECT, 0, 0, &direct),
                              FVI_SUCCESS);
             ck_assert_int_eq(fvi_lobatto_history_alloc(s, beta, 1, N,
-                                                      FVI_HISTORY_MODES,
+                                                      FVI_HISTORY_MODES, 0,
                                                       0, &fast),
                              FVI_SUCCESS);
             for (size_t k = 0; k < N; k++) {
                 double v[8], want[8], got[8];
                 for (size_t i = 0; i < s; i++)
                     v[i] = cos(0.1 * (double)k + (double)i);
-                ck_assert_int_eq(fvi_lobatto_history_push(direct, v, want),
+                ck_assert_int_eq(fvi_lobatto_history_push(direct, v, want, NULL),
                                  FVI_SUCCESS);
-                ck_assert_int_eq(fvi_lobatto_history_push(fast, v, got),
+                ck_assert_int_eq(fvi_lobatto_history_push(fast, v, got, NULL),
                                  FVI_SUCCESS);
                 for (size_t i = 0; i < s; i++)
                     ck_assert_near(got[i], want[i],

@@ -115,7 +115,7 @@ START_TEST(eq_27_14_pairs_and_one_matrix_beside_an_exact_elimination)
         make_small(&seed, s, &of);
         const double *each[3] = { W[0], W[1], NULL }; /* the third damper has no history */
         for (size_t j = 0; j < 2; j++)
-            OK(fvi_lobatto_weights(s, 2 * draw(&seed) - 1, 1, W[j]));
+            OK(fvi_lobatto_weights(s, 2 * draw(&seed) - 1, 1, W[j], NULL));
         const double h = pow(10, 4 * draw(&seed) - 3);
         find_errors(of.system.matrices, s, (size_t)of.d, h, each, &seed, &by_pairs, &as_one);
         drop_small(&of);
@@ -147,7 +147,7 @@ START_TEST(eq_27_14_one_matrix_with_light_masses)
         OK(fvi_structure_alloc_dampers(&of.M, &of.K, 1, of.damper, &of.structure, NULL));
         of.system = fvi_structure_system(of.structure);
         const double *each[] = { W };
-        OK(fvi_lobatto_weights(s, 0.2, 1, W));
+        OK(fvi_lobatto_weights(s, 0.2, 1, W, NULL));
         find_errors(of.system.matrices, s, (size_t)of.d, 0.1, each, &seed, &by_pairs, &as_one);
         drop_small(&of);
     }
@@ -163,7 +163,7 @@ START_TEST(a_wide_structure_is_solved_by_pairs)
     make_consistent(17, &m);
     double W[16], load[4 * 17], x[4 * 17], y[4 * 17];
     const double *each[] = { W };
-    OK(fvi_lobatto_weights(4, 0.5, 1, W));
+    OK(fvi_lobatto_weights(4, 0.5, 1, W, NULL));
     fvi_stage_solver *pairs, *automatic;
     OK(fvi_stage_solver_alloc(m.system.matrices, 17, 4, 0.1, each, FVI_STAGE_PAIRS, &pairs));
     OK(fvi_stage_solver_alloc(m.system.matrices, 17, 4, 0.1, each, FVI_STAGE_AUTO, &automatic));
