@@ -2,13 +2,14 @@
 #include "undamped_modes.h"
 #include "system/seeded.h"
 
-#include "matrices/cholesky.h"
 #include "matrices/factors.h"
 #include "matrices/sparse.h"
 #include "system/arrays.h"
 #include "system/fail.h"
 
+#include <gsl/gsl_blas.h>
 #include <gsl/gsl_eigen.h>
+#include <gsl/gsl_linalg.h>
 #include <gsl/gsl_matrix.h>
 #include <math.h>
 #include <stdlib.h>
@@ -16,41 +17,12 @@
 
 /* ---- full matrices ---- */
 
-/* Replace each row x of X by L^-1 x, or by L^-T x if `transposed` is nonzero. */
-static void divide_rows(size_t n, const double *L, int transposed, double *X)
-{
-    for (double *x = X; x < X + n * n; x += n)
-        for (size_t k = 0; k < n; k++) {
-            const size_t i = transposed ? n - 1 - k : k;
-            const size_t from = transposed ? i + 1 : 0, to = transposed ? n : i;
-            for (size_t j = from; j < to; j++)
-                x[i] -= (transposed ? L[j * n + i] : L[i * n + j]) * x[j];
-            x[i] /= L[i * n + i];
-        }
-}
-
-static void transpose(size_t n, double *A)
-{
-    for (size_t i = 0; i < n; i++)
-        for (size_t j = 0; j < i; j++) {
-            const double kept = A[i * n + j];
-            A[i * n + j] = A[j * n + i];
-            A[j * n + i] = kept;
-        }
-}
-
-/* Compute all modes of full symmetric matrices, which are overwritten, from those of L^-1 K L^-T. Row i of V becomes
- * mode i. `room` has 5 n numbers. */
+/* Compute all modes of full symmetric matrices, which are overwritten, from those of L^-1 K L^-T with M = L L^T. Row i of
+ * V becomes mode i. `room` has 5 n numbers. */
 static int full_modes(size_t n, double *K, double *M, double *lambda, double *V,
                       double *room)
 {
-    int status = fvi_cholesky(n, M);
-    if (status)
-        return status;
-    divide_rows(n, M, 0, K);
-    transpose(n, K);
-    divide_rows(n, M, 0, K);
-    gsl_matrix_view A = gsl_matrix_view_array(K, n, n),
+    gsl_matrix_view A = gsl_matrix_view_array(K, n, n), L = gsl_matrix_view_array(M, n, n),
                     vectors = gsl_matrix_view_array(V, n, n);
     gsl_vector_view values = gsl_vector_view_array(lambda, n);
     gsl_eigen_symmv_workspace work = { .size = n, /* fail.h says why the workspace is not allocated by GSL */
@@ -59,14 +31,18 @@ static int full_modes(size_t n, double *K, double *M, double *lambda, double *V,
                                        .gc = room + 2 * n,
                                        .gs = room + 3 * n };
     fvi_quiet();
-    status = gsl_eigen_symmv(&A.matrix, &values.vector, &vectors.matrix, &work);
-    if (!status)
-        status = gsl_eigen_symmv_sort(&values.vector, &vectors.matrix,
-                                      GSL_EIGEN_SORT_VAL_ASC);
+    int status = gsl_linalg_cholesky_decomp1(&L.matrix) ? FVI_ESING : FVI_SUCCESS;
+    if (!status) {
+        gsl_eigen_gensymm_standardize(&A.matrix, &L.matrix);
+        status = gsl_eigen_symmv(&A.matrix, &values.vector, &vectors.matrix, &work) ? FVI_EMAXITER : FVI_SUCCESS;
+    }
+    if (!status) {
+        gsl_eigen_symmv_sort(&values.vector, &vectors.matrix, GSL_EIGEN_SORT_VAL_ASC);
+        gsl_blas_dtrsm(CblasLeft, CblasLower, CblasTrans, CblasNonUnit, 1, &L.matrix, &vectors.matrix);
+        gsl_matrix_transpose(&vectors.matrix);
+    }
     fvi_loud();
-    transpose(n, V);
-    divide_rows(n, M, 1, V);
-    return status ? FVI_EMAXITER : FVI_SUCCESS;
+    return status;
 }
 
 static void expand_matrix(const fvi_sparse *A, double *full)
