@@ -202,6 +202,9 @@ double complex fvi_pole_start(const fvi_response *r, double lambda,
     if (lambda > 0)
         return I * sqrt(lambda);
     compute_forms(r, v, form);
+    for (size_t l = 2; l < r->terms; l++) /* a damper that does not act on v has a rounding error */
+        if (cabs(form[l]) <= 1e-14 * r->term[l].norm * norm(r->d, v) * norm(r->d, v))
+            form[l] = 0;
     /* Bisect. Below the frequency that is sought, the damping is larger than the inertia. */
     for (int i = 0; i < 60; i++) {
         const double middle = (low + high) / 2, omega = exp(middle);

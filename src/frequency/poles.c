@@ -293,10 +293,11 @@ static int write_poles(search *s, size_t count, size_t expect, fvi_poles *poles)
     return FVI_SUCCESS;
 }
 
-/* Set a lambda to 0 if it is a rounding error, because a free motion has no undamped frequency. */
+/* Set a lambda to 0 if it is a rounding error, because a free motion has no undamped frequency. The errors are those of
+ * the largest lambda, which may not be among the n lowest, and may be far above |K| / |M| where the masses differ. */
 static void round_modes(const fvi_response *r, size_t n, double *lambda)
 {
-    const double scale = r->term[1].norm / r->term[0].norm;
+    const double scale = larger(r->term[1].norm / r->term[0].norm, lambda[n - 1]);
     for (size_t k = 0; k < n; k++)
         if (fabs(lambda[k]) < 1e-15 * scale)
             lambda[k] = 0;

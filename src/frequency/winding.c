@@ -5,7 +5,9 @@
 #include <math.h>
 
 /* Return the angle by which the phase turns from one end of a piece to the other. The piece is halved until the angles
- * are small. Return NaN if they do not become small, which happens if a zero is on the way. */
+ * are small. Return NaN if they do not become small, which happens if a zero is on the way. The second half is not asked
+ * after the first has failed, because each half may ask twice as many again: a phase of rounding errors alone would take
+ * 2^40 values. */
 static double phase_change(fvi_phase *phase, const void *params, const double a[2],
                            const double b[2], double at_a, double at_b, int depth)
 {
@@ -17,8 +19,8 @@ static double phase_change(fvi_phase *phase, const void *params, const double a[
         return first + second;
     if (depth == 0 || isnan(here))
         return GSL_NAN;
-    return phase_change(phase, params, a, middle, at_a, here, depth - 1)
-           + phase_change(phase, params, middle, b, here, at_b, depth - 1);
+    const double half = phase_change(phase, params, a, middle, at_a, here, depth - 1);
+    return isnan(half) ? half : half + phase_change(phase, params, middle, b, here, at_b, depth - 1);
 }
 
 /* Return the angle along a side of the box, on which only u or only v changes. Return NaN if its length is not
@@ -31,7 +33,7 @@ static double phase_along_side(fvi_phase *phase, const void *params, double step
         return GSL_NAN;
     const int pieces = (int)ceil(length / step);
     double sum = 0, from[2] = { a[0], a[1] }, before = phase(params, a[0], a[1]);
-    for (int i = 1; i <= pieces; i++) {
+    for (int i = 1; i <= pieces && !isnan(sum); i++) {
         const double part = (double)i / pieces,
                      to[2] = { a[0] + part * (b[0] - a[0]),
                                a[1] + part * (b[1] - a[1]) };
@@ -54,7 +56,7 @@ int fvi_winding(fvi_phase *phase, const void *params, double step,
                                   { b->u[0], b->v[1] },
                                   { b->u[0], b->v[0] } };
     double sum = 0;
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < 4 && !isnan(sum); i++)
         sum += phase_along_side(phase, params, step, corner[i], corner[i + 1]);
     return isnan(sum) ? -1 : (int)lround(sum / (2 * M_PI));
 }
