@@ -176,8 +176,8 @@ size_t fvi_observer_short_rows(const fvi_observer *o);
  *
  *   to  output; free it with fvi_observer_free
  *
- * Cost O(d) for each kept number. For a method of order 2 and a start with a velocity the copy may also repeat the run
- * of one body up to this step, for each damper.
+ * Cost O(d) for each kept number. For a method of order 2 and a start with a velocity the copy also has the history of
+ * one body, for each damper.
  * Returns FVI_SUCCESS; FVI_ENOMEM; what factorise of the matrices returned. On error *to is untouched.
  *
  * fvi_observer_archive -- Save or load the sums of an observer: hand them to the archive, as fvi_stepper_archive

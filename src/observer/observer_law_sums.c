@@ -6,12 +6,12 @@
 
 #include <fvi/dampers.h>
 
-#include <math.h>
+#include <string.h>
 
-/* Two bodies so heavy that no damper slows them down. One starts with the velocity 1, and the other one falls with the
- * acceleration 1. So they move along x_1 = t and x_2 = t^2/2. */
+/* Bodies so heavy that no damper slows them down. The first one starts with the velocity 1, the second one falls with
+ * the acceleration 1, and the third one rests at 1. So they move along x_1 = t, x_2 = t^2/2 and x_3 = 1. */
 #define HEAVY 1e150
-static const double mass[] = { HEAVY, HEAVY }, origin[] = { 0, 0 }, momentum[] = { HEAVY, 0 };
+static const double mass[] = { HEAVY, HEAVY, HEAVY }, start[] = { 0, 0, 1 }, momentum[] = { HEAVY, 0, 0 };
 
 static int potential(size_t d, const double *x, void *params, double *value)
 {
@@ -22,16 +22,16 @@ static int potential(size_t d, const double *x, void *params, double *value)
 
 static int gradient(size_t d, const double *x, void *params, double *grad)
 {
-    (void)d, (void)x, (void)params;
-    grad[0] = 0;
-    grad[1] = -HEAVY;
+    (void)x, (void)params;
+    for (size_t i = 0; i < d; i++)
+        grad[i] = i == 1 ? -HEAVY : 0;
     return 0;
 }
 
 static int hessian(size_t d, const double *x, void *params, double *H)
 {
-    (void)d, (void)x, (void)params;
-    H[0] = H[1] = 0;
+    (void)x, (void)params;
+    memset(H, 0, d * sizeof *H);
     return 0;
 }
 
@@ -45,44 +45,22 @@ static const fvi_potential fall = {
     .value = potential, .gradient = gradient, .hessian = hessian, .quadratic = is_quadratic, .diagonals = 1
 };
 
-/* An elongation that jumps from 0 to 1 at t = 0. */
-static int jump(double t, size_t d, const double *x, void *params, double *z)
-{
-    (void)t, (void)d, (void)x, (void)params;
-    *z = 1;
-    return 0;
-}
-
-static int jump_gradient(double t, size_t d, const double *x, void *params, double *G)
-{
-    (void)t, (void)d, (void)x, (void)params;
-    G[0] = G[1] = 0;
-    return 0;
-}
-
-static int jump_hessian(double t, size_t d, const double *x, double lambda, void *params, double *H)
-{
-    (void)t, (void)d, (void)x, (void)lambda, (void)params, (void)H;
-    return 0;
-}
-
 /* For methods whose steps keep the impulse of each damper. */
 static int sum_by_dampers(const fvi_stepper *of, const fvi_summed_damper *summed, size_t rows, fvi_law_row *row)
 {
     const fvi_kernel power = { .count = 1, .term = &summed->power }, *law = summed->law ? summed->law : &power;
-    static const double line[] = { 1, 0 }, parabola[] = { 0, 1 }, none[] = { 0, 0 };
+    static const double line[] = { 1, 0, 0 }, parabola[] = { 0, 1, 0 }, jump[] = { 0, 0, 1 }, none[] = { 0, 0, 0 };
     const fvi_initial_history held = FVI_INITIAL_HISTORY_HELD, rl = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
-    const fvi_damper damper[] = {
-        { .of.row = line, .kernel = law, .past = held },
-        { .of.row = parabola, .kernel = law, .past = held },
-        { .of = { .value = jump, .gradient = jump_gradient, .hessian = jump_hessian }, .kernel = law, .past = rl }
-    };
+    const fvi_damper damper[] = { { .of.row = line, .kernel = law, .past = held },
+                                  { .of.row = parabola, .kernel = law, .past = held },
+                                  { .of.row = jump, .kernel = law, .past = rl } };
     const int takes_jump = of->method->scheme == FVI_SCHEME_FVI && fvi_kernel_growth(law) <= 1;
-    const fvi_mechanism mechanism = { .damper = damper, .damper_count = takes_jump ? 3 : 2 };
+    const size_t d = takes_jump ? 3 : 2;
+    const fvi_mechanism mechanism = { .damper = damper, .damper_count = d };
     const fvi_system system = {
-        .d = 2, .mass = mass, .damping = none, .potential = fall, .mechanism = &mechanism
+        .d = d, .mass = mass, .damping = none, .potential = fall, .mechanism = &mechanism
     };
-    fvi_run run = fvi_run_default(&system, origin, momentum, of->run.h, rows);
+    fvi_run run = fvi_run_default(&system, start, momentum, of->run.h, rows);
     fvi_stepper *s;
     double work;
     run.kappa = of->run.kappa;
@@ -108,7 +86,7 @@ static int sum_by_quadrature(const fvi_stepper *of, const fvi_summed_damper *sum
 {
     const double rho = summed->law ? 1 : summed->power.rho, damping[] = { rho, rho };
     const fvi_system system = { .d = 2, .mass = mass, .damping = damping, .potential = fall };
-    fvi_run run = fvi_run_default(&system, origin, momentum, of->run.h, rows);
+    fvi_run run = fvi_run_default(&system, start, momentum, of->run.h, rows);
     fvi_stepper *s;
     double J[] = { 0, 0 };
     run.law = summed->law;

@@ -16,10 +16,9 @@
  * line. */
 static const double huge_mass = 1e150, one = 1, zero = 0;
 
+static const fvi_system line = { .d = 1, .mass = &huge_mass, .damping = &one };
+
 struct fvi_ramp {
-    fvi_system system;
-    fvi_run run;
-    const fvi_method *method;
     fvi_stepper *body; /* its motion is prescribed */
     fvi_impulses_of_kernel *exact; /* for a law that is not one power */
     double rho, order;             /* for one power */
@@ -39,47 +38,25 @@ const fvi_method *fvi_ramp_method(const fvi_stepper *s)
     return s->mechanism ? &fvi_cq2_midpoint : s->method; /* the line is no mechanism; both methods sum alike */
 }
 
-/* Start the line of one body, with h, N and the memory of the run. */
-static int start_body(fvi_ramp *o)
-{
-    o->system = (fvi_system){ .d = 1,
-                              .mass = &huge_mass,
-                              .damping = &one,
-                              .potential = fvi_potential_harmonic(&zero) };
-    o->run.system = &o->system;
-    o->run.x0 = &zero;
-    o->run.p0 = &huge_mass;
-    return fvi_stepper_start(o->method, &o->run, &o->body, NULL);
-}
-
-static fvi_ramp *make_ramp(const fvi_stepper *s, size_t j)
-{
-    const fvi_run_damper of = fvi_run_damper_of(&s->run, j);
-    fvi_ramp *o = calloc(1, sizeof *o);
-    if (!o)
-        return NULL;
-    o->method = fvi_ramp_method(s);
-    o->order = of.growth;
-    o->run = fvi_run_default(&o->system, NULL, NULL, s->run.h, s->run.steps);
-    o->run.memory = s->run.memory;
-    o->run.tolerance = s->run.tolerance;
-    o->run.alpha = of.alpha;
-    o->run.law = fvi_summed_damper_of(s, j).law;
-    o->rho = !o->run.law ? 1 : fvi_kernel_is_power(o->run.law) ? o->run.law->term->rho : NAN;
-    return o;
-}
-
 int fvi_ramp_start(const fvi_stepper *s, size_t j, fvi_ramp **ramp)
 {
+    const fvi_run_damper of = fvi_run_damper_of(&s->run, j);
+    fvi_run run = fvi_run_default(&line, &zero, &huge_mass, s->run.h, s->run.steps);
     *ramp = NULL;
-    if (!is_by_quadrature(s->method) || !(fvi_run_damper_of(&s->run, j).growth <= 1))
+    if (!is_by_quadrature(s->method) || !(of.growth <= 1))
         return FVI_SUCCESS;
-    fvi_ramp *o = make_ramp(s, j);
+    fvi_ramp *o = calloc(1, sizeof *o);
     if (!o)
         return FVI_ENOMEM;
-    int status = start_body(o);
+    run.memory = s->run.memory;
+    run.tolerance = s->run.tolerance;
+    run.alpha = of.alpha;
+    run.law = fvi_summed_damper_of(s, j).law;
+    o->order = of.growth;
+    o->rho = !run.law ? 1 : fvi_kernel_is_power(run.law) ? run.law->term->rho : NAN;
+    int status = fvi_stepper_start(fvi_ramp_method(s), &run, &o->body, NULL);
     if (!status && isnan(o->rho))
-        status = fvi_impulses_of_kernel_alloc(o->run.law, o->run.h, &o->exact);
+        status = fvi_impulses_of_kernel_alloc(run.law, run.h, &o->exact);
     if (status)
         fvi_ramp_free(o);
     else
@@ -97,7 +74,7 @@ static double exact_impulse(fvi_ramp *o, size_t k)
     }
     const double e = 2 - o->order, n = (double)k;
     const double rise = k == 0 ? 1 : pow(n, e) * expm1(e * log1p(1 / n));
-    return o->rho * pow(o->run.h, e) * rise / tgamma(1 + e);
+    return o->rho * pow(o->body->run.h, e) * rise / tgamma(1 + e);
 }
 
 int fvi_ramp_step_prescribed(fvi_stepper *bodies, double *J)
@@ -148,12 +125,8 @@ int fvi_ramp_copy(const fvi_ramp *from, fvi_ramp **to)
     *o = *from;
     o->body = NULL;
     o->exact = NULL;
-    int status = start_body(o);
-    if (!status && from->exact)
-        status = fvi_impulses_of_kernel_copy(from->exact, &o->exact);
-    while (!status && o->is_over == 0 && o->body->k < from->body->k)
-        status = fvi_stepper_step(o->body);
-    return status;
+    const int status = fvi_stepper_copy(from->body, &o->body);
+    return status || !from->exact ? status : fvi_impulses_of_kernel_copy(from->exact, &o->exact);
 }
 
 int fvi_ramp_archive(fvi_ramp *o, fvi_archive *archive)

@@ -43,8 +43,7 @@ int fvi_ramp_step(fvi_ramp *ramp, double *lead);
  *   is_whole  nonzero: the lead changes in all rows, however little */
 int fvi_ramp_leads(const fvi_stepper *s, size_t j, size_t rows, int is_whole, double *lead);
 
-/* fvi_ramp_copy -- make a copy, by repeating its steps from the start. As long as steps add something, a copy takes as
- * long as a run of one body up to this node.
+/* fvi_ramp_copy -- make a copy.
  * fvi_ramp_archive -- serialise what its steps change, as fvi_stepper_archive.
  * fvi_ramp_free -- free everything. NULL is allowed. */
 int fvi_ramp_copy(const fvi_ramp *from, fvi_ramp **to);
