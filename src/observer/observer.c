@@ -79,7 +79,7 @@ static int add_step_of_mechanism(fvi_observer *o, const fvi_stepper *s)
 {
     int status = compute_increments_of_mechanism(o, s);
     if (!status && o->wanted & FVI_OBSERVE_WORK)
-        status = fvi_observer_mechanism_work(s, &o->scalars[FVI_BY_FORCE]);
+        status = fvi_observer_mechanism_work(o, s, &o->scalars[FVI_BY_FORCE]);
     if (!status && o->wanted & FVI_OBSERVE_WORK && s->run.system->force.impulse_count)
         status = fvi_mechanism_work_of_impulse(s, s->t, s->x, s->p, o->hit,
                                                &o->scalars[FVI_BY_FORCE]);

@@ -3,7 +3,7 @@
 
 #include "mechanism/mechanism_state.h"
 
-#include <stdlib.h>
+#include <string.h>
 
 /* F on coordinate j at point i of the last step; for the node scheme the mean of F at both ends. */
 static double force_of_time(const fvi_stepper *s, const fvi_mechanism_state *o,
@@ -26,15 +26,15 @@ static double time_of_point(const fvi_stepper *s, const fvi_mechanism_state *o,
     return begin + part * s->run.h;
 }
 
-int fvi_observer_mechanism_work(const fvi_stepper *s, double *work)
+int fvi_observer_mechanism_work(fvi_observer *by, const fvi_stepper *s, double *work)
 {
     const fvi_mechanism_state *o = fvi_mechanism_of(s);
     const fvi_state_force *of_velocity = s->run.system->mechanism->force_on;
     const size_t d = o->d;
     const int has_stages = o->form != FVI_MECHANISM_FIRST_ORDER
                            && o->form != FVI_MECHANISM_NODES;
-    double *F = calloc(d, sizeof *F);
-    int status = F ? FVI_SUCCESS : FVI_ENOMEM;
+    double *F = memset(by->g, 0, d * sizeof *F);
+    int status = FVI_SUCCESS;
     for (size_t i = 0; i < o->q && !status; i++) {
         const double w = s->run.h * (has_stages ? o->rule->b[i] : 1);
         if (of_velocity)
@@ -44,6 +44,5 @@ int fvi_observer_mechanism_work(const fvi_stepper *s, double *work)
         for (size_t j = 0; j < d && !status; j++)
             *work += w * (force_of_time(s, o, i, j) + F[j]) * o->V[i * d + j];
     }
-    free(F);
     return status;
 }

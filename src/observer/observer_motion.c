@@ -8,6 +8,7 @@
 #include "observer_state.h"
 
 #include "mechanism/mechanism_state.h"
+#include "system/arrays.h"
 #include "system/lagrangian_point.h"
 
 #include <float.h>
@@ -15,33 +16,26 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The arrays for one time; n = d + m. All arrays stand in numbers. */
+/* The arrays for one time; n = d + m. All arrays of numbers stand in one block. */
 typedef struct {
     const fvi_system *system;
     size_t d, m, n;
     double t;
     const double *x;
     double *numbers;
-    double *v, *G, *Q, *C, *Lxv, *Lvv, *H, *J; /* d, d, d, m d, d d, d d, d d, n n */
-    double *r, *w;                             /* n each */
-    double *damper;                            /* the forces of the dampers */
+    double *v, *G, *Q, *C, *Lxv, *Lvv, *H, *J, *r, *w;
+    double *damper; /* the forces of the dampers */
     size_t *order;
 } point;
 
 static int allocate(point *o, size_t dampers)
 {
-    const size_t d = o->d, m = o->m, n = d + m,
-                 lengths[] = { d, d, d, m * d, d * d, d * d, d * d, n * n, n, n, dampers };
-    double **const places[] = { &o->v, &o->G, &o->Q, &o->C, &o->Lxv, &o->Lvv, &o->H, &o->J, &o->r, &o->w,
-                               &o->damper };
-    double *at = o->numbers = calloc(3 * d + m * d + 3 * d * d + n * n + 2 * n + dampers, sizeof *at);
+    const size_t d = o->d, m = o->m, n = o->n = d + m;
+    o->numbers = FVI_ARRAYS({ &o->v, d }, { &o->G, d }, { &o->Q, d }, { &o->C, m * d }, { &o->Lxv, d * d },
+                            { &o->Lvv, d * d }, { &o->H, d * d }, { &o->J, n * n }, { &o->r, n }, { &o->w, n },
+                            { &o->damper, dampers });
     o->order = calloc(n, sizeof *o->order);
-    o->n = n;
-    if (!at || !o->order)
-        return FVI_ENOMEM;
-    for (size_t i = 0; i < sizeof lengths / sizeof *lengths; at += lengths[i++])
-        *places[i] = at;
-    return FVI_SUCCESS;
+    return o->numbers && o->order ? FVI_SUCCESS : FVI_ENOMEM;
 }
 
 /* Replace r by the solution y of [L_vv C^T; C 0] y = r. */
@@ -201,14 +195,6 @@ static int evaluate_forces(point *o, const fvi_observer *of, double h, double en
     return status ? status : subtract_explicit_slopes(o, o->t + h <= end * (1 + DBL_EPSILON) ? h : -h);
 }
 
-static int is_finite(const point *o)
-{
-    for (size_t i = 0; i < o->n; i++)
-        if (!isfinite(o->r[i]))
-            return 0;
-    return 1;
-}
-
 static int begin(point *o, const fvi_observer *of, const fvi_stepper *s, double t, const double *x)
 {
     const fvi_constraints *c = of->mechanism->constraints;
@@ -263,7 +249,7 @@ int fvi_observer_motion(fvi_observer *o, const fvi_stepper *s, double t, const d
         status = evaluate_forces(&at, o, s->run.h, s->run.h * (double)s->run.steps);
     if (!status)
         status = solve(&at);
-    if (!status && !is_finite(&at))
+    if (!status && !fvi_all_finite(at.n, at.r))
         status = FVI_EOVRFLW;
     if (!status) {
         memcpy(o->force + o->forces, at.r, o->slopes * sizeof *at.r);

@@ -2,6 +2,7 @@
 #include "observer_state.h"
 
 #include "mechanism/mechanism_state.h"
+#include "system/arrays.h"
 #include "system/fail.h"
 #include "variable_step/variable_mechanism.h"
 
@@ -17,47 +18,27 @@ enum {
 
 /* ---- memory ---- */
 
-/* Set the pointers of all arrays in their one block. */
-static void set_array_pointers(fvi_observer *o)
-{
-    const size_t d = o->d, f = o->tracked, room = d > f ? d : f;
-    double *at = o->numbers;
-    double **const state[] = { &o->impulse, &o->latest, &o->work,      &o->lead,       &o->known,
-                               &o->bend,    &o->bend_rate, &o->scalars, &o->begun_work, &o->stage_power },
-                   **const rest[] = { &o->p0,      &o->start,  &o->begin_v, &o->exponent,
-                                      &o->rate,    &o->power,
-                                   &o->jump,    &o->line,    &o->growth,
-                                      &o->is_jumping, &o->is_moving,
-                                      &o->begin.x, &o->begin.p, &o->begin.F,
-                                      &o->begin.dampers,
-                                      &o->hit,     &o->change, &o->x,
-                                      &o->p,       &o->v,      &o->a,
-                                      &o->F,       &o->g,      &o->force,
-                                      &o->impulse_now, &o->work_now };
-    const size_t lengths[] = { f, o->degree * f, o->dampers, o->dampers, d, o->bends, o->dampers, FVI_SCALARS,
-                               o->on_structure, FVI_LANES * o->on_structure };
-    for (size_t i = 0; i < sizeof lengths / sizeof *lengths; at += lengths[i++])
-        *state[i] = at;
-    o->saved = (size_t)(at - o->numbers);
-    for (size_t i = 0; i < sizeof rest / sizeof *rest; i++, at += room) {
-        *rest[i] = at;
-        if (rest[i] == &o->begin.F) /* of all stages */
-            at += 7 * room;
-    }
-    o->contact = o->contacts ? at : NULL;
-    o->count = (size_t)(at + o->contacts - o->numbers);
-}
-
-/* Allocate the arrays; the sizes are set before. */
+/* Allocate all arrays in one block, first those that steps change. The sizes are set before. Each of the others has room
+ * for d numbers and for the tracked sums, because several of them hold both in turn. */
 static int allocate(fvi_observer *o)
 {
-    const size_t most = o->d > o->tracked ? o->d : o->tracked;
-    const size_t room = (o->degree + 2) * o->tracked + 3 * o->dampers + o->bends + FVI_SCALARS
-                        + (1 + FVI_LANES) * o->on_structure + 35 * most + o->contacts;
-    o->numbers = calloc(room, sizeof *o->numbers);
+    const size_t d = o->d, f = o->tracked, dampers = o->dampers, room = d > f ? d : f;
+    o->numbers = FVI_ARRAYS(
+        { &o->impulse, f }, { &o->latest, o->degree * f }, { &o->work, dampers }, { &o->lead, dampers }, { &o->known, d },
+        { &o->bend, o->bends }, { &o->bend_rate, dampers }, { &o->scalars, FVI_SCALARS },
+        { &o->begun_work, o->on_structure }, { &o->stage_power, FVI_LANES * o->on_structure },
+        { &o->p0, room }, { &o->start, room }, { &o->begin_v, room }, { &o->exponent, room }, { &o->rate, room },
+        { &o->power, room }, { &o->jump, room }, { &o->line, room }, { &o->growth, room }, { &o->is_jumping, room },
+        { &o->is_moving, room }, { &o->begin.x, room }, { &o->begin.p, room }, { &o->begin.F, FVI_STAGES * room },
+        { &o->begin.dampers, room }, { &o->hit, room }, { &o->change, room }, { &o->x, room }, { &o->p, room },
+        { &o->v, room }, { &o->a, room }, { &o->F, room }, { &o->g, room }, { &o->force, room },
+        { &o->impulse_now, room }, { &o->work_now, room }, { &o->contact, o->contacts });
     if (!o->numbers)
         return FVI_ENOMEM;
-    set_array_pointers(o);
+    o->saved = (size_t)(o->p0 - o->numbers);
+    o->count = (size_t)(o->contact - o->numbers) + o->contacts;
+    if (o->contacts == 0)
+        o->contact = NULL;
     return FVI_SUCCESS;
 }
 

@@ -144,8 +144,8 @@ int fvi_observer_damping(const fvi_observer *o, const fvi_stepper *s,
                          double *sum);
 
 /* fvi_observer_mechanism_work -- add the work of the forces on a mechanism in its last step to *work: F and the forces
- * of velocity, summed at the points of the step. */
-int fvi_observer_mechanism_work(const fvi_stepper *s, double *work);
+ * of velocity, summed at the points of the step. Changes o->g. */
+int fvi_observer_mechanism_work(fvi_observer *o, const fvi_stepper *s, double *work);
 
 /* ---- observer_structure.c: dampers of matrices, by a method that chooses its steps ----
  *
