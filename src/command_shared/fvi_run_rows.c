@@ -16,14 +16,18 @@ static int has_reductions(const fvi_table *t)
     return fvi_reductions_count(t->o->typed) > 0;
 }
 
+int fvi_run_reduce(const fvi_options *o, const fvi_observation *now)
+{
+    const int status = fvi_typed_columns_values(o->typed, now, o->typed_row);
+    return status ? status : fvi_reductions_add(o->typed, now->t);
+}
+
 /* Add the values at a time to the reductions. The time is that of the stepper, or lies within its last step. */
 static int reduce_at(fvi_table *t, const fvi_stepper *s, double time)
 {
     fvi_observation now;
-    int status = fvi_observer_read(t->observer, s, time, &now);
-    if (!status)
-        status = fvi_typed_columns_values(t->o->typed, &now, t->o->typed_row);
-    return status ? status : fvi_reductions_add(t->o->typed, time);
+    const int status = fvi_observer_read(t->observer, s, time, &now);
+    return status ? status : fvi_run_reduce(t->o, &now);
 }
 
 /* Add the last step to the reductions. It began at the time `begin` with s->k = row. A method that chooses its steps
@@ -93,17 +97,12 @@ int fvi_run_row(fvi_table *t, fvi_stepper *s, size_t k)
     return status;
 }
 
-void fvi_run_reduced(const fvi_table *t, double *row)
-{
-    fvi_reductions_values(t->o->typed, row);
-}
-
 int fvi_run_reductions(fvi_table *t)
 {
     if (!has_reductions(t))
         return FVI_SUCCESS;
     fvi_table_mark_last(t); /* a longer run has another row of reductions */
-    fvi_run_reduced(t, t->rows);
+    fvi_reductions_values(t->o->typed, t->rows);
     if (!fvi_all_finite(t->width, t->rows))
         return FVI_EOVRFLW;
     fvi_format_row(t->out, t->o->format, 0, t->width, t->rows);
@@ -140,12 +139,8 @@ int fvi_run_observed_row(fvi_table *t, size_t k, const fvi_observation *given)
     if (!status && wanted & FVI_OBSERVE_ENERGY)
         status = fvi_energy_at(system, time, x, p, &now.energy);
     t->now = &now;
-    if (!status && has_reductions(t)) {
-        status = fvi_typed_columns_values(t->o->typed, &now, t->o->typed_row);
-        if (!status)
-            status = fvi_reductions_add(t->o->typed, time);
-    } else if (!status)
-        status = fvi_table_take(t, k, x, p);
+    if (!status)
+        status = has_reductions(t) ? fvi_run_reduce(t->o, &now) : fvi_table_take(t, k, x, p);
     t->now = NULL;
     free(v);
     return status;

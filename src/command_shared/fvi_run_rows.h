@@ -29,9 +29,11 @@ int fvi_run_observed_row(fvi_table *t, size_t k, const fvi_observation *given);
 int fvi_run_found_row(fvi_table *t, size_t k, const double *x, const double *p,
                       const double *typed);
 
-/* fvi_run_reduced -- Write the t->width reductions of a run that is over to `row`.
- * fvi_run_reductions -- Print them, if any are asked for. FVI_EOVRFLW if one of them is not finite. */
-void fvi_run_reduced(const fvi_table *t, double *row);
+/* fvi_run_reduce -- Add an observation to the reductions. Return what fvi_typed_columns_values and fvi_reductions_add
+ * return.
+ * fvi_run_reductions -- Print the reductions of a run that is over, if any are asked for. FVI_EOVRFLW if one of them is
+ * not finite. */
+int fvi_run_reduce(const fvi_options *o, const fvi_observation *now);
 int fvi_run_reductions(fvi_table *t);
 
 #endif

@@ -1,6 +1,7 @@
 /* src/command_shared/fvi_run_search.c -- Make a run to a wanted error, with its typed columns and its events. */
 #include "fvi_run_search.h"
 
+#include "fvi_run_rows.h"
 #include "options/fvi_option_columns.h"
 
 #include <stdlib.h>
@@ -60,9 +61,7 @@ static int store_between_rows(const fvi_observation *now, void *params)
  * times. */
 static int reduce_step(const fvi_observation *now, void *params)
 {
-    const fvi_options *o = ((const typed_rows *)params)->o;
-    const int status = fvi_typed_columns_values(o->typed, now, o->typed_row);
-    return status ? status : fvi_reductions_add(o->typed, now->t);
+    return fvi_run_reduce(((const typed_rows *)params)->o, now);
 }
 
 static int reduce_row(size_t k, const fvi_observation *now, void *params)

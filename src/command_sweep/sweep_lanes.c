@@ -87,14 +87,12 @@ static int store_rows(size_t count, lane *lanes, const active_lanes *all, size_t
     return status;
 }
 
-/* Write the reductions, and check whether a step is unstable. */
-static int finish_lanes(size_t count, lane *lanes)
+/* Check whether a step of a lane is unstable. */
+static int check_steps(size_t count, lane *lanes)
 {
     char text[FVI_WARNING_ROOM];
     for (size_t l = 0; l < count; l++) {
         const fvi_run run = fvi_options_run(&lanes[l].o, &lanes[l].system);
-        if (has_reductions(lanes + l))
-            fvi_run_reduced(&lanes[l].table, lanes[l].table.rows + lanes[l].table.width);
         lanes[l].verdict.unstable = fvi_warning_of_step(lanes[l].o.method, &run, sizeof text, text);
         if (lanes[l].verdict.unstable < 0)
             return FVI_ENOMEM;
@@ -114,7 +112,7 @@ static int step_lanes(size_t count, lane *lanes, const active_lanes *all)
         if (!status)
             status = store_rows(count, lanes, all, k);
     }
-    return status ? status : finish_lanes(count, lanes);
+    return status ? status : check_steps(count, lanes);
 }
 
 static int run_to_rows(const fvi_run *run, size_t count, lane *lanes)

@@ -88,8 +88,6 @@ static sweep_verdict run_by_steps(const fvi_options *o, const fvi_run *r, fvi_ta
         v.status = fvi_run_row(t, s, k = next);
         next = k < o->steps ? fvi_table_next(t, k) : k;
     }
-    if (!v.status && fvi_reductions_count(o->typed) > 0)
-        fvi_run_reduced(t, t->rows + t->width);
     fvi_inertia_watch_free(inertia.watch);
     fvi_observer_free(t->observer);
     fvi_stepper_free(s);
@@ -132,8 +130,6 @@ static void write_found_rows(fvi_table *t, const fvi_run *r, found_run *f, sweep
     }
     if (!v->status && f->report.rows <= o->steps)
         v->status = write_found_end(t, f, &v->rows);
-    if (!v->status && fvi_reductions_count(o->typed) > 0)
-        fvi_run_reduced(t, t->rows + t->width);
 }
 
 /* Make a run with as many steps as the wanted error needs. */
@@ -188,6 +184,8 @@ void sweep_keep_rows(const sweep_grid *g, size_t i, const fvi_options *o, const 
                  skipped = t->height - count;
     if (!g->has_rows || v->rows == 0) /* no event has ended the run early */
         v->rows = count;
+    if (!v->status && fvi_reductions_count(o->typed) > 0)
+        fvi_reductions_values(o->typed, t->rows + t->width);
     for (size_t k = 0; k < v->rows && !v->status; k++) {
         for (size_t n = 0; n < g->count; n++)
             rows[k * width + n] = sweep_grid_value(g, i, n);

@@ -28,8 +28,8 @@ sweep_verdict sweep_run(const sweep_grid *g, size_t i, double *rows);
  * is no memory, else 1. The caller frees t->rows. */
 int sweep_table_open(const sweep_grid *g, fvi_options *o, const fvi_system *system, fvi_table *t);
 
-/* sweep_keep_rows -- Copy the rows of run i that the sweep prints, with the values of the grid in front. v->rows
- * becomes the number of rows. */
+/* sweep_keep_rows -- Copy the rows of run i that the sweep prints, or its reductions, with the values of the grid in
+ * front. v->rows becomes the number of rows. */
 void sweep_keep_rows(const sweep_grid *g, size_t i, const fvi_options *o, const fvi_table *t,
                      sweep_verdict *v, double *rows);
 
