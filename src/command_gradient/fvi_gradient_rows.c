@@ -19,11 +19,9 @@ static const double *number_or_null(const double *by, size_t i)
     return by ? by + i : NULL;
 }
 
-static void report_row(const visitor *v, const char *name, const char *number, const double *by)
+static void report_row(const visitor *v, const char *name, const double *by)
 {
-    char whole[LETTERS];
-    snprintf(whole, sizeof whole, "%s%s", name, number);
-    v->visit(v->to, whole, by, NULL);
+    v->visit(v->to, name, by, NULL);
 }
 
 static void warn(const visitor *v, const char *name, const char *text, const char *about)
@@ -33,54 +31,48 @@ static void warn(const visitor *v, const char *name, const char *text, const cha
     v->visit(v->to, name, NULL, whole);
 }
 
-/* Visit a row for each mass: name, or name_1, name_2, ... */
-static void rows_of_masses(const visitor *v, const request *r, const char *name, const double *by)
+/* Visit a row for each coordinate: name, or name_1, name_2, ... The function returns the warning that takes the place of
+ * the row of coordinate i, or NULL. */
+static void rows_of_coordinates(const visitor *v, const request *r, const char *name, const double *by,
+                                const char *(*warning)(const request *r, size_t i))
 {
     for (size_t i = 0; i < r->o.d; i++) {
-        char number[24] = "";
+        const char *text = warning(r, i);
+        char whole[LETTERS], number[24] = "";
         if (r->o.numbered)
             snprintf(number, sizeof number, "_%zu", i + 1);
-        report_row(v, name, number, number_or_null(by, i));
-    }
-}
-
-/* Visit the rows of the masses. A coordinate without mass has no kinetic energy. With a small mass it would have one,
- * from a velocity that is not p/m. So the energy has no derivative by such a mass. */
-static void rows_of_inertia(const visitor *v, const request *r)
-{
-    char name[32];
-    for (size_t i = 0; i < r->o.d; i++) {
-        snprintf(name, sizeof name, r->o.numbered ? "mass_%zu" : "mass", i + 1);
-        if (r->of == 2 && r->o.mass[i] == 0)
-            warn(v, name, "no derivative by %s: the energy does not know the velocity of a coordinate without mass", name);
+        snprintf(whole, sizeof whole, "%s%s", name, number);
+        if (text)
+            warn(v, whole, text, whole);
         else
-            report_row(v, name, "", number_or_null(r->to.mass, i));
+            report_row(v, whole, number_or_null(by, i));
     }
 }
 
-/* Return nonzero if coordinate i is imposed. Its start is then prescribed. */
-static int is_imposed(const request *r, size_t i)
+static const char *no_warning(const request *r, size_t i)
+{
+    (void)r, (void)i;
+    return NULL;
+}
+
+/* A coordinate without mass has no kinetic energy. With a small mass it would have one, from a velocity that is not p/m.
+ * So the energy has no derivative by such a mass. */
+static const char *warning_of_mass(const request *r, size_t i)
+{
+    return r->of == 2 && r->o.mass[i] == 0
+               ? "no derivative by %s: the energy does not know the velocity of a coordinate without mass"
+               : NULL;
+}
+
+/* The start of an imposed coordinate is prescribed. */
+static const char *warning_of_start(const request *r, size_t i)
 {
     const fvi_constraints *c =
         r->system.mechanism ? r->system.mechanism->constraints : NULL;
     for (size_t l = 0; c && c->imposed && l < c->count; l++)
         if (c->imposed[l] == i + 1)
-            return 1;
-    return 0;
-}
-
-static void rows_of_start(const visitor *v, const request *r, const char *name, const double *by)
-{
-    for (size_t i = 0; i < r->o.d; i++) {
-        char number[24] = "", whole[LETTERS];
-        if (r->o.numbered)
-            snprintf(number, sizeof number, "_%zu", i + 1);
-        snprintf(whole, sizeof whole, "%s%s", name, number);
-        if (is_imposed(r, i))
-            warn(v, whole, "no derivative by %s: this coordinate is imposed", whole);
-        else
-            report_row(v, whole, "", number_or_null(by, i));
-    }
+            return "no derivative by %s: this coordinate is imposed";
+    return NULL;
 }
 
 /* Return why a law has no derivatives, or only that by its factor. */
@@ -102,7 +94,7 @@ static void row_of_number(const visitor *v, const request *r, const char *name, 
                          || (r->has_terms && field == 0 && kind != FVI_ELEMENT_MAXWELL2);
     snprintf(text, sizeof text, "no derivative by %%s: %s", reason_of_laws(r));
     if (is_known)
-        report_row(v, name, "", number_or_null(fields[field], term));
+        report_row(v, name, number_or_null(fields[field], term));
     else
         warn(v, name, text, name);
 }
@@ -156,9 +148,11 @@ static void rows_of_damper(const visitor *v, const request *r, size_t j, size_t 
     snprintf(name, sizeof name, "d%zu", j + 1);
     if (damper->name)
         snprintf(name, sizeof name, "%s", damper->name);
-    report_row(v, name, ".factor", number_or_null(r->to.damping, j));
+    char whole[LETTERS];
+    snprintf(whole, sizeof whole, "%s.factor", name);
+    report_row(v, whole, number_or_null(r->to.damping, j));
     for (size_t i = 0; i < law->count; i++) {
-        char part[LETTERS / 2] = ".", whole[LETTERS];
+        char part[LETTERS / 2] = ".";
         const char *number;
         if (law->term[i].kind == FVI_KERNEL_SYMBOL) {
             warn(v, name, "no derivatives by the numbers of the law of %s", name);
@@ -187,66 +181,61 @@ static void rows_of_dampers(const visitor *v, const request *r)
 
 #define OF_A_JUMP "what acts jumps at a row, where the two sides of form D count differently"
 
-/* Visit a row for one factor of each matrix. */
-static void rows_of_matrices(const visitor *v, const request *r)
+/* Visit the rows of the masses, or the row of a factor of M. */
+static void rows_of_inertia(const visitor *v, const request *r)
 {
-    const fvi_mechanism *of = r->system.mechanism;
     if (r->has_mass && r->ground_jumps)
         warn(v, "mass", "no derivative by mass: %s", OF_A_JUMP);
+    else if (r->has_mass && r->system.matrices)
+        report_row(v, "mass", r->to.mass);
     else if (r->has_mass)
-        report_row(v, "mass", "", r->to.mass);
-    else
-        warn(v, "mass", "no derivative by mass: steps of any length ask for the ground between the "
-             "rows", "");
-    for (size_t i = 0; i < r->terms; i++)
-        rows_of_term(v, r, i);
-    rows_of_dampers(v, r);
-    if (r->terms == 0 && !of) {
-        report_row(v, "rho", "", r->to.damping);
-        if (r->has_alpha)
-            report_row(v, "alpha", "", r->to.alpha);
-        else
-            warn(v, "alpha", "no derivative by alpha: of a folder steps of any length have none at 0%s", "");
-    }
-    report_row(v, "c", "", r->to.parameters);
-}
-
-static void rows_of_masses_and_potential(const visitor *v, const request *r)
-{
-    static const char *const c_and_g[] = { "c", "g" };
-    if (r->has_mass && r->ground_jumps)
-        warn(v, "mass", "no derivative by mass: %s", OF_A_JUMP);
-    else if (r->has_mass)
-        rows_of_inertia(v, r);
+        rows_of_coordinates(v, r, "mass", r->to.mass, warning_of_mass);
     else if (!r->o.text[LAGRANGIAN])
         warn(v, "mass", "no derivative by mass: %s",
              r->o.ground ? "steps of any length ask for the ground between the rows"
                          : "the potential knows the time");
-    for (size_t i = 0; i < r->terms; i++)
-        rows_of_term(v, r, i);
-    rows_of_dampers(v, r);
-    if (r->terms == 0 && !r->system.mechanism)
-        rows_of_masses(v, r, "rho", r->to.damping);
+}
+
+/* Visit the rows of rho, or of a factor of C, and of alpha. */
+static void rows_of_power(const visitor *v, const request *r)
+{
+    if (r->system.matrices)
+        report_row(v, "rho", r->to.damping);
+    else
+        rows_of_coordinates(v, r, "rho", r->to.damping, no_warning);
     if (r->has_alpha)
-        report_row(v, "alpha", "", r->to.alpha);
-    else if (r->terms == 0 && !r->system.mechanism)
+        report_row(v, "alpha", r->to.alpha);
+    else
         warn(v, "alpha", "no derivative by alpha: %s",
-             r->o.method->scheme == FVI_SCHEME_VARIABLE_STEP
+             r->system.matrices ? "of a folder steps of any length have none at 0"
+             : r->o.method->scheme == FVI_SCHEME_VARIABLE_STEP
                  ? "there x has a logarithm at 0, for which these steps are not made"
                  : "p of this method jumps at 1");
-    const int pendulum = r->o.potential.kind == FVI_POTENTIAL_PENDULUM;
-    for (size_t j = 0; !r->to.lagrangian && !r->o.potential.expression && j < r->to.sensitivity.count; j++)
-        report_row(v, pendulum ? "g" : c_and_g[j], "", number_or_null(r->to.parameters, j));
+}
+
+/* Visit the rows of the constants of a potential that is no expression, or the row of a factor of K. */
+static void rows_of_potential(const visitor *v, const request *r)
+{
+    static const char *const c_and_g[] = { "c", "g" };
+    const int is_pendulum = r->o.potential.kind == FVI_POTENTIAL_PENDULUM;
+    if (r->system.matrices)
+        report_row(v, "c", r->to.parameters);
+    for (size_t j = 0; !r->system.matrices && !r->to.lagrangian && !r->o.potential.expression
+                       && j < r->to.sensitivity.count; j++)
+        report_row(v, is_pendulum ? "g" : c_and_g[j], number_or_null(r->to.parameters, j));
 }
 
 void fvi_gradient_rows(const request *r, const visitor *v)
 {
-    rows_of_start(v, r, "x0", r->to.x0);
-    rows_of_start(v, r, "p0", r->to.p0);
-    if (r->system.matrices)
-        rows_of_matrices(v, r);
-    else
-        rows_of_masses_and_potential(v, r);
+    rows_of_coordinates(v, r, "x0", r->to.x0, warning_of_start);
+    rows_of_coordinates(v, r, "p0", r->to.p0, warning_of_start);
+    rows_of_inertia(v, r);
+    for (size_t i = 0; i < r->terms; i++)
+        rows_of_term(v, r, i);
+    rows_of_dampers(v, r);
+    if (r->terms == 0 && !r->system.mechanism)
+        rows_of_power(v, r);
+    rows_of_potential(v, r);
     for (size_t j = 0; j < r->o.lets.count; j++)
         if (r->o.lets.used[j] & FVI_USED_BY_DAMPING)
             warn(v, r->o.lets.name[j], "no derivative by %s, of which the law speaks",
@@ -258,5 +247,5 @@ void fvi_gradient_rows(const request *r, const visitor *v)
         else if (r->is_jumped[j])
             warn(v, r->o.lets.name[j], "no derivative by %s: " OF_A_JUMP, r->o.lets.name[j]);
         else
-            report_row(v, r->o.lets.name[j], "", r->lets + j);
+            report_row(v, r->o.lets.name[j], r->lets + j);
 }
