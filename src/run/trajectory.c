@@ -83,9 +83,7 @@ static int finite(size_t n, const double *v)
 static int is_finite(const fvi_stepper *s)
 {
     const size_t d = s->run.system->d;
-    return d == 1  ? isfinite(*s->x) && isfinite(*s->p)
-           : d < 4 ? fvi_all_finite(2 * d, s->x)
-                   : finite(2 * d, s->x); /* x, then p */
+    return d < 4 ? fvi_all_finite(2 * d, s->x) : finite(2 * d, s->x); /* x, then p */
 }
 
 int fvi_stepper_start(const fvi_method *method, const fvi_run *run,
