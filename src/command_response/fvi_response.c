@@ -33,36 +33,19 @@ typedef struct {
     fvi_linear_request linear;
     size_t of, at, by;
     fvi_range range;
-    double *list; /* frequencies, or NULL if they are those of the range */
-    size_t count;
 } request;
 
 /* ---- words ---- */
-
-static int interpret_list(request *r, const char *text, fvi_error *c)
-{
-    r->count = 1;
-    for (const char *at = text; *at; at++)
-        r->count += *at == ',';
-    r->list = malloc(r->count * sizeof *r->list);
-    if (!r->list)
-        return fvi_no_memory(c, NULL);
-    return fvi_parse_numbers("omega", text, 0, INFINITY, "()", r->count,
-                             r->list, c);
-}
 
 static int interpret_omega(request *r, fvi_error *c)
 {
     const char *text = r->linear.words.own[OMEGA];
     if (!text)
         return fvi_refuse(c, NULL, "response: --omega A:B:N[:log] or a list is missing");
-    if (!strchr(text, ':'))
-        return interpret_list(r, text, c);
     const int status =
         fvi_word_range("omega", "A:B:N, A:B:N:log or a list of numbers", text,
-                       text, &r->range, c);
-    r->count = r->range.count;
-    if (!status && !(r->range.from > 0 && r->range.to > 0))
+                       text, 0, &r->range, c);
+    if (!status && !r->range.list && !(r->range.from > 0 && r->range.to > 0))
         return fvi_refuse(c, "omega", "'%s': frequencies are above 0", text);
     return status;
 }
@@ -125,11 +108,6 @@ static int interpret(request *r, fvi_error *c)
 
 /* ---- rows ---- */
 
-static double frequency_at(const request *r, size_t i)
-{
-    return r->list ? r->list[i] : fvi_range_value(&r->range, i);
-}
-
 /* Compute the moduli of the law, or of the springpot of --alpha and --rho. */
 static int find_moduli(const request *r, double omega, double row[2])
 {
@@ -163,14 +141,14 @@ static int print_rows(const request *r, FILE *out, FILE *plot)
 {
     const fvi_format format = r->linear.o.format;
     const size_t width = r->of == MODULI ? 2 : 4;
-    for (size_t i = 0; i < r->count && !ferror(out); i++) {
-        double row[5] = { frequency_at(r, i) };
+    for (size_t i = 0; i < r->range.count && !ferror(out); i++) {
+        double row[5] = { fvi_range_value(&r->range, i) };
         if (compute_row(r, row[0], row + 1))
             return 1;
         fvi_format_row(out, format, i, width + 1, row);
         if (plot)
             fvi_plot_row(plot, row[0], width, row + 1);
-        fvi_progress(i + 1, r->count);
+        fvi_progress(i + 1, r->range.count);
     }
     fvi_progress_clear();
     return 0;
@@ -276,7 +254,7 @@ int fvi_command_response(int argc, char **argv)
     if (!status)
         status = interpret(&r, &error);
     status = status ? fvi_refused(&error, response.name) : compute_answer(&r);
-    free(r.list);
+    free(r.range.list);
     fvi_linear_free(&r.linear);
     return status;
 }

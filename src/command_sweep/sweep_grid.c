@@ -15,9 +15,8 @@ double sweep_grid_value(const sweep_grid *g, size_t i, size_t n)
 {
     for (size_t m = g->count - 1; m > n; m--)
         i /= g->axis[m].range.count;
-    const fvi_axis *a = &g->axis[n];
-    return a->list ? a->list[i % a->range.count]
-                   : fvi_range_value(&a->range, i % a->range.count);
+    const fvi_range *a = &g->axis[n].range;
+    return fvi_range_value(a, i % a->count);
 }
 
 int sweep_grid_has(const sweep_grid *g, const char *name)
@@ -68,28 +67,10 @@ static int is_option(const char *name)
     return 0;
 }
 
-/* Read "V1,V2,..." */
-static int parse_list(fvi_axis *a, const char *text, const char *list,
-                      fvi_error *c)
-{
-    size_t count = 1;
-    for (const char *at = list; *at; at++)
-        count += *at == ',';
-    if (*list == '\0')
-        return fvi_refuse(c, "vary", "'%s' is not NAME=A:B:N, NAME=A:B:N:log or NAME=V1,V2,...", text);
-    a->list = malloc(count * sizeof *a->list);
-    if (!a->list)
-        return fvi_no_memory(c, NULL);
-    a->range.count = count;
-    if (count > 1)
-        return fvi_parse_numbers("vary", list, -INFINITY, INFINITY, "()", count,
-                                 a->list, c);
-    return fvi_parse_number("vary", list, -INFINITY, INFINITY, "()", a->list, c);
-}
-
 /* Add an axis. */
 static int parse_axis(sweep_grid *g, const char *text, fvi_error *c)
 {
+    static const char shape[] = "NAME=A:B:N, NAME=A:B:N:log or NAME=V1,V2,...";
     const char *equals = strchr(text, '=');
     const size_t length = equals ? (size_t)(equals - text) : 0,
                  end = strlen(g->text);
@@ -97,7 +78,7 @@ static int parse_axis(sweep_grid *g, const char *text, fvi_error *c)
     if (g->count == FVI_MOST_AXES)
         return fvi_refuse(c, "vary", "'%s': at most %d are varied", text, FVI_MOST_AXES);
     if (length == 0 || length >= sizeof a->name)
-        return fvi_refuse(c, "vary", "'%s' is not NAME=A:B:N, NAME=A:B:N:log or NAME=V1,V2,...", text);
+        return fvi_refuse(c, "vary", "'%s' is not %s", text, shape);
     memcpy(a->name, text, length);
     a->name[length] = '\0';
     a->is_let = !fvi_is_one_of(a->name, numbers);
@@ -108,11 +89,9 @@ static int parse_axis(sweep_grid *g, const char *text, fvi_error *c)
             || !fvi_symbol_is_free(a->name, "t")))
         return fvi_refuse(c, "vary", "'%s' is not a number that can be varied", a->name);
     g->count++;
-    const int status =
-        strchr(equals + 1, ':')
-            ? fvi_word_range("vary", "NAME=A:B:N, NAME=A:B:N:log or "
-                             "NAME=V1,V2,...", text, equals + 1, &a->range, c)
-            : parse_list(a, text, equals + 1, c);
+    if (!equals[1])
+        return fvi_refuse(c, "vary", "'%s' is not %s", text, shape);
+    const int status = fvi_word_range("vary", shape, text, equals + 1, -INFINITY, &a->range, c);
     if (status)
         return status;
     snprintf(g->text + end, sizeof g->text - end, "%s%s", end ? "," : "", text);
@@ -213,14 +192,14 @@ static int list_ranges(sweep_grid *g)
 {
     enum { MANY = 1000000 };
     for (size_t n = 0; n < g->count; n++) {
-        fvi_axis *a = &g->axis[n];
-        if (a->list || a->range.count > MANY)
+        fvi_range *a = &g->axis[n].range;
+        if (a->list || a->count > MANY)
             continue;
-        double *list = malloc(a->range.count * sizeof *list);
+        double *list = malloc(a->count * sizeof *list);
         if (!list)
             return FVI_ENOMEM;
-        for (size_t i = 0; i < a->range.count; i++)
-            list[i] = fvi_range_value(&a->range, i);
+        for (size_t i = 0; i < a->count; i++)
+            list[i] = fvi_range_value(a, i);
         a->list = list;
     }
     return FVI_SUCCESS;
@@ -271,6 +250,6 @@ int sweep_grid_check(const sweep_grid *g, fvi_error *c)
 void sweep_grid_free(sweep_grid *g)
 {
     for (size_t n = 0; n < g->count; n++)
-        free(g->axis[n].list);
+        free(g->axis[n].range.list);
     free(g->words);
 }

@@ -11,8 +11,7 @@ enum { FVI_MOST_AXES = 3 };
 typedef struct {
     char name[64];
     int is_let;
-    fvi_range range;
-    double *list; /* the range.count values; NULL for a long range */
+    fvi_range range; /* with the list of its values, unless it is long */
 } fvi_axis;
 
 /* The options of `fvi sweep`. In the numbers of the runs the last axis varies fastest. */

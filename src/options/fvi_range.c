@@ -1,4 +1,5 @@
-/* src/options/fvi_range.c -- Compute evenly spaced numbers in the digits that a user would type. */
+/* src/options/fvi_range.c -- Read lists of numbers, and compute evenly spaced numbers in the digits that a user would
+ * type. */
 #include "fvi_range.h"
 
 #include <float.h>
@@ -30,6 +31,8 @@ static double nearest_decimal(double v, double error)
  * difference or the ratio is too large for a double; then the formula works with halves of it. */
 double fvi_range_value(const fvi_range *a, size_t i)
 {
+    if (a->list)
+        return a->list[i];
     if (i == 0 || i == a->count - 1)
         return i == 0 ? a->from : a->to;
     const double part = (double)i / (double)(a->count - 1);
@@ -43,9 +46,22 @@ double fvi_range_value(const fvi_range *a, size_t i)
     return nearest_decimal(v, (4 + 2 * fabs(log(root))) * DBL_EPSILON * fabs(v));
 }
 
-int fvi_word_range(const char *field, const char *shape, const char *text,
-                   const char *range, fvi_range *a, fvi_error *c)
+/* Read "V1,V2,..." */
+static int read_list(const char *field, const char *list, double low, fvi_range *a, fvi_error *c)
 {
+    a->count = 1;
+    for (const char *at = list; *at; at++)
+        a->count += *at == ',';
+    a->list = malloc(a->count * sizeof *a->list);
+    return a->list ? fvi_parse_numbers(field, list, low, INFINITY, "()", a->count, a->list, c)
+                   : fvi_no_memory(c, NULL);
+}
+
+int fvi_word_range(const char *field, const char *shape, const char *text,
+                   const char *range, double low, fvi_range *a, fvi_error *c)
+{
+    if (!strchr(range, ':'))
+        return read_list(field, range, low, a, c);
     char place[3][40] = { "", "", "" };
     double count = 0;
     int used = 0;
