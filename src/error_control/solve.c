@@ -200,7 +200,7 @@ static int observe_run(fvi_solve_state *o, fvi_stepper *s)
     return status;
 }
 
-static int solve_by_steps(fvi_solve_state *o)
+int fvi_solve_by_steps(fvi_solve_state *o)
 {
     fvi_stepper *s;
     fvi_step_statistics counts;
@@ -210,7 +210,7 @@ static int solve_by_steps(fvi_solve_state *o)
     status = observe_run(o, s);
     o->report->steps = s->k;
     o->report->h = o->run.h;
-    if (fvi_stepper_statistics(s, &counts) == FVI_SUCCESS)
+    if (o->method->dense && fvi_stepper_statistics(s, &counts) == FVI_SUCCESS)
         report_of_mesh(o->report, &counts);
     fvi_stepper_free(s);
     return status;
@@ -390,7 +390,7 @@ int fvi_solve(const fvi_problem *problem, const fvi_solve_options *options,
     if (status)
         return status;
     done.method = o.method;
-    status = o.tolerance > 0 ? solve_to_tolerance(&o) : solve_by_steps(&o);
+    status = o.tolerance > 0 ? solve_to_tolerance(&o) : fvi_solve_by_steps(&o);
     done.events = o.events.count;
     fvi_event_list_free(&o.events);
     if (report && (!status || status == FVI_ETOL))

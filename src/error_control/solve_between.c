@@ -10,45 +10,22 @@
 #include "system/fail.h"
 #include "system/larger.h"
 
-#include <fvi/lobatto.h>
-
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Write x and p at the time t, which is not before the last row. */
-static int row_at(fvi_stepper *s, double t, double *x, double *p)
-{
-    const size_t bytes = s->run.system->d * sizeof *x;
-    const double parts = t / s->run.h;
-    const int is_node = fabs(parts - round(parts)) <= 16 * DBL_EPSILON * parts;
-    const size_t k = (size_t)(is_node ? round(parts) : ceil(parts));
-    int status = FVI_SUCCESS;
-    while (s->k < k && !status)
-        status = fvi_stepper_step(s);
-    if (!status && !is_node) {
-        status = fvi_lobatto_within(s, t, x);
-        return status ? status : fvi_lobatto_momentum_within(s, t, p);
-    }
-    memcpy(x, s->x, bytes);
-    memcpy(p, s->p, bytes);
-    return status;
-}
-
 /* Write all rows of a run whose steps are h / parts. */
 static int rows_at_times(const fvi_solve_state *o, size_t parts, double *x, double *p)
 {
-    const size_t d = o->run.system->d;
-    fvi_run run = o->run;
-    fvi_stepper *s = NULL;
-    run.h /= (double)parts;
-    run.steps *= parts;
-    int status = fvi_stepper_start(o->method, &run, &s, NULL);
-    for (size_t k = 0; k < o->out->rows && !status; k++)
-        status = row_at(s, o->out->t[k], x + k * d, p + k * d);
-    fvi_stepper_free(s);
-    return status;
+    const fvi_outputs rows = { .rows = o->out->rows, .t = o->out->t, .x = x, .p = p };
+    fvi_report report;
+    fvi_solve_state finer = *o;
+    finer.out = &rows;
+    finer.report = &report;
+    finer.error = NULL;
+    finer.run.h /= (double)parts;
+    finer.run.steps *= parts;
+    return fvi_solve_by_steps(&finer);
 }
 
 /* The last of the times up to which two runs differ by no more than the tolerance. */

@@ -22,6 +22,10 @@ typedef struct {
                        p */
 } fvi_solve_state;
 
+/* fvi_solve_by_steps -- make the run o->run by its steps, and give out its rows and events. Returns FVI_SUCCESS, or a
+ * code with *o->error written. */
+int fvi_solve_by_steps(fvi_solve_state *o);
+
 /* fvi_solve_between -- solve to o->tolerance, where some of the times lie within the steps of a method with stages. The
  * first step is the one that o->run needs for its rows. It is halved until two runs agree at the times.
  *
