@@ -132,32 +132,23 @@ static void head_of_search(FILE *out, const fvi_options *o,
     fvi_format_parameter(out, o->format, "error estimate", text);
 }
 
-static int print_found(const fvi_options *o, const fvi_system *system,
-                       const fvi_report *found, const double *x,
+static int print_found(fvi_table *t, const fvi_report *found, const double *x,
                        const double *p, const double *typed, const fvi_run_events *events)
 {
-    fvi_table t;
-    fvi_table_shape(&t, o, system);
-    if (!(t.rows = fvi_run_room(&t)))
-        return fvi_complain("not enough memory");
-    int failed = fvi_table_open(&t);
-    if (!failed) {
-        fvi_table_head(t.out, o);
-        head_of_search(t.out, o, found);
-        fvi_table_names(&t);
-        int status = 0;
-        size_t k = 0;
-        for (; k < found->rows && !status && !ferror(t.out); k++)
-            status = fvi_run_found_row(&t, k, x, p, typed);
-        if (!status)
-            status = fvi_run_reductions(&t);
-        if (!status)
-            fvi_run_print_events(&t, events->count, events->at);
-        failed =
-            fvi_table_close(&t, status ? fvi_stopped_at(k - 1, status) : 0);
-    }
-    free(t.rows);
-    return failed;
+    if (fvi_table_open(t))
+        return 1;
+    fvi_table_head(t->out, t->o);
+    head_of_search(t->out, t->o, found);
+    fvi_table_names(t);
+    int status = 0;
+    size_t k = 0;
+    for (; k < found->rows && !status && !ferror(t->out); k++)
+        status = fvi_run_found_row(t, k, x, p, typed);
+    if (!status)
+        status = fvi_run_reductions(t);
+    if (!status)
+        fvi_run_print_events(t, events->count, events->at);
+    return fvi_table_close(t, status ? fvi_stopped_at(k - 1, status) : 0);
 }
 
 /* If a mechanism or its start is wrong, print the message of fvi_stepper_start, which names the field. Return an exit
@@ -193,22 +184,23 @@ int fvi_command_error(const fvi_options *o, const fvi_system *system)
         return refused;
     fvi_table_shape(&t, o, system);
     /* The room for the output is allocated first, so that a lack of memory is found before the search. */
-    double *rows =
-        fvi_run_room(&t);
+    t.rows = fvi_run_room(&t);
     const size_t count = o->steps + 1,
                  width = 2 * o->d + fvi_typed_columns_count(o->typed);
-    double *x = rows ? malloc(count * width * sizeof *x) : NULL;
-    free(rows);
-    if (!x)
+    double *x = t.rows ? malloc(count * width * sizeof *x) : NULL;
+    if (!x) {
+        free(t.rows);
         return fvi_complain("not enough memory");
+    }
     double *p = x + count * o->d, *typed = p + count * o->d;
     fvi_run_events events = { 0 };
     int failed = find_step(o, &r, x, p, typed, &found, &events);
     if (!failed)
         failed = warn_of_inertia(o, system, found.rows, x, p);
     if (!failed)
-        failed = print_found(o, system, &found, x, p, typed, &events);
+        failed = print_found(&t, &found, x, p, typed, &events);
     free(events.at);
     free(x);
+    free(t.rows);
     return failed;
 }
