@@ -22,14 +22,18 @@ static const char *const not_for_fit[] = { "steps",      "time",     "error",
                                            "snapshot",   "longest",  "v0",
                                            "event",      NULL };
 
+/* The methods that are used if none is named. Of the methods with stages, form D takes matrices. */
+static char *const usual_method[] = { "--method=fvi-lobatto4", NULL },
+                  *const method_of_matrices[] = { "--method=fvi-lobatto4d", NULL };
+
 static const fvi_own_command fit = {
     .name = "fit",
     .own = { "fit", "sigma", "starts", "compare", "huber", "curve" },
     .without = not_for_fit,
     .no_events = "a fit follows derivatives, and none goes through an event",
-    .method = "--method=fvi-lobatto4",
     .operand = FVI_OPERANDS_MOST,
     .flag = "design",
+    .presets = usual_method,
     .more = fvi_fit_time
 };
 
@@ -221,7 +225,7 @@ static int search_and_print(request *r)
         if (fvi_output_close(out, 1))
             failed = fvi_cannot_write(r->o.output);
     } else if (!status)
-        fvi_fit_warn_of_flags(r, &f, &e);
+        fvi_fit_print_flags(NULL, r, &f, &e);
     if (status)
         return fvi_fit_complain(status, r, &f);
     if (!is_believed)
@@ -305,7 +309,7 @@ int fvi_command_fit(int argc, char **argv)
         command.more = NULL;
     }
     if (has_option(argc, argv, "system"))
-        command.method = "--method=fvi-lobatto4d"; /* of the methods with stages, form D takes matrices */
+        command.presets = method_of_matrices;
     if (!status)
         status = fvi_subcommand_options_parse(&command, argc, argv, &r.words, &r.o, c);
     if (!status)

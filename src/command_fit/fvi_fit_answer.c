@@ -1,18 +1,12 @@
 /* src/command_fit/fvi_fit_answer.c -- Print the answer of `fvi fit`. */
 #include "fvi_fit_answer.h"
 
+#include "fvi_fit_material.h"
 #include "output/fvi_complain.h"
 #include "output/fvi_format.h"
 #include "output/fvi_output.h"
 
 typedef fvi_fit_request request;
-
-/* Print a warning about the answer to the table and to standard error. */
-static void warn(FILE *out, const char *text)
-{
-    fvi_warn(text);
-    fprintf(out, "# warning = %s\n", text);
-}
 
 /* Warn of pairs of parameters that the data can hardly tell apart. */
 static void warn_of_correlations(FILE *out, const request *r, const fvi_estimate *f)
@@ -22,7 +16,7 @@ static void warn_of_correlations(FILE *out, const request *r, const fvi_estimate
         for (size_t j = 0; j < i; j++)
             if (fvi_estimate_warning_of_pair(f, j, i, r->name[j], r->name[i],
                                         sizeof text, text))
-                warn(out, text);
+                fvi_fit_note(out, "warning", text);
 }
 
 /* Warn of an offset or a drift of the sensor that the residuals would not show. */
@@ -32,25 +26,15 @@ static void warn_of_unseen(FILE *out, const request *r, const fvi_estimate *f,
     char text[FVI_WARNING_ROOM];
     for (size_t which = 0; which < 2; which++)
         if (fvi_estimate_warning_of_unseen(&r->fit, f, e, which, r->name, sizeof text, text))
-            warn(out, text);
+            fvi_fit_note(out, "warning", text);
 }
 
-/* Print the flags of an examination to standard error, and to the table if `out` is not NULL. */
-static void print_flags(FILE *out, const request *r, const fvi_estimate *f,
-                        const fvi_examination *e)
+void fvi_fit_print_flags(FILE *out, const request *r, const fvi_estimate *f, const fvi_examination *e)
 {
     char text[FVI_WARNING_ROOM];
     for (unsigned flag = 1; flag <= e->flags; flag *= 2)
-        if (fvi_estimate_flag_text(&r->fit, f, e, flag, r->name, sizeof text, text)) {
-            fvi_warn(text);
-            if (out)
-                fprintf(out, "# flag = %s\n", text);
-        }
-}
-
-void fvi_fit_warn_of_flags(const request *r, const fvi_estimate *f, const fvi_examination *e)
-{
-    print_flags(NULL, r, f, e);
+        if (fvi_estimate_flag_text(&r->fit, f, e, flag, r->name, sizeof text, text))
+            fvi_fit_note(out, "flag", text);
 }
 
 static void print_rows(FILE *out, const request *r, const fvi_estimate *f,
@@ -116,8 +100,8 @@ void fvi_fit_print_answer(FILE *out, const request *r, const fvi_estimate *f,
     warn_of_correlations(out, r, f);
     warn_of_unseen(out, r, f, e);
     if (past)
-        warn(out, past);
-    print_flags(out, r, f, e);
+        fvi_fit_note(out, "warning", past);
+    fvi_fit_print_flags(out, r, f, e);
 }
 
 /* Print a row for each time: the record (if there are several), t, and for each column the data, the fit and the

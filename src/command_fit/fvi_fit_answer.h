@@ -46,9 +46,9 @@ void fvi_fit_print_answer(FILE *out, const fvi_fit_request *r,
 void fvi_fit_print_plan(FILE *out, const fvi_fit_request *r, const fvi_estimate *f,
                         const fvi_examination *e);
 
-/* Print only the flags, to standard error. */
-void fvi_fit_warn_of_flags(const fvi_fit_request *r, const fvi_estimate *f,
-                           const fvi_examination *e);
+/* Print only the flags, to standard error and, unless `out` is NULL, to the table. */
+void fvi_fit_print_flags(FILE *out, const fvi_fit_request *r, const fvi_estimate *f,
+                         const fvi_examination *e);
 
 /* Print the table of --curve, if it is asked for. Return an exit code. */
 int fvi_fit_print_curve(const fvi_fit_request *r);

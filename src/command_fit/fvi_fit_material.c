@@ -285,15 +285,19 @@ static void print_answer(FILE *out, const request *r, const fvi_material *m)
     print_law(out, r, m);
 }
 
+void fvi_fit_note(FILE *out, const char *kind, const char *text)
+{
+    fvi_warn(text);
+    if (out)
+        fprintf(out, "# %s = %s\n", kind, text);
+}
+
 static void print_flags(FILE *out, const request *r, const fvi_material *m)
 {
     char text[FVI_WARNING_ROOM];
     for (unsigned flag = 1; flag <= m->flags; flag *= 2)
-        if (fvi_material_flag_text(&r->data, m, flag, sizeof text, text)) {
-            fvi_warn(text);
-            if (out)
-                fprintf(out, "# flag = %s\n", text);
-        }
+        if (fvi_material_flag_text(&r->data, m, flag, sizeof text, text))
+            fvi_fit_note(out, "flag", text);
 }
 
 static int print_curve(const request *r)
@@ -360,7 +364,7 @@ static int fit_data(const request *r, fvi_material *m, fvi_error *c)
         return 0;
     for (size_t i = 0; i < 3; i++)
         if (of_data.field && strcmp(of_data.field, fields[i][0]) == 0)
-            return fvi_refuse(c, "DATA", "%s: %s%s", r->words.operand, fields[i][1], of_data.text);
+            return fvi_refuse(c, "DATA", "%s: %s%s", r->words.all[0], fields[i][1], of_data.text);
     *c = of_data;
     return status;
 }

@@ -70,8 +70,6 @@ static int read_operand(sorter *s, const char *word)
 {
     if (s->w->operands >= (size_t)s->command->operand)
         return fvi_refuse(s->c, NULL, "'%s': not expected here", word);
-    if (s->w->operands == 0)
-        s->w->operand = word;
     s->w->all[s->w->operands++] = word;
     return 0;
 }
@@ -116,8 +114,6 @@ int fvi_subcommand_options_parse(const fvi_own_command *command, int argc, char 
     run[1] = "run";
     sorter s = { command, w, run + 2, 0, c };
     int status = sort_words(&s, argc, argv);
-    if (command->method && !w->given[METHOD])
-        s.run[s.count++] = command->method;
     for (size_t i = 0; command->presets && command->presets[i]; i++)
         if (!w->given[fvi_option_named(command->presets[i])])
             s.run[s.count++] = command->presets[i];

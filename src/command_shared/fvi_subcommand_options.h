@@ -22,7 +22,6 @@ typedef struct {
      * out. */
     const char *own[FVI_SUBCOMMAND_MOST + 1];
     const char *const *without; /* options of run that the command does not have; NULL: see with */
-    char *method; /* "--method=M", used if no method is given; NULL: as for run */
     int operand;  /* the most operands that are allowed */
     const char *const *with; /* the only options of run that the command has; NULL: see without */
     const char *flag;        /* its option without a value, or NULL */
@@ -36,8 +35,7 @@ typedef struct {
 /* The options of such a command, as they were given. */
 typedef struct fvi_subcommand_options {
     const char *own[FVI_SUBCOMMAND_MOST]; /* the values of its own options, in the order of own; NULL if not given */
-    const char *operand;           /* the first operand, or NULL */
-    const char *all[FVI_OPERANDS_MOST];
+    const char *all[FVI_OPERANDS_MOST]; /* the operands */
     size_t operands;               /* number of operands */
     int flag;                      /* nonzero if the flag is given */
     int given[OPTIONS];            /* nonzero for each option of run that is given */
