@@ -116,41 +116,17 @@ static int multiply_strided(fvi_adjoint_structure *m, const fvi_adjoint_structur
     return status;
 }
 
-/* Do the same with y ordered as in the histories of the terms of a law. */
-static int multiply(fvi_adjoint_structure *m, const fvi_adjoint_structure_damper *a, const double *y,
-                    double *sum)
-{
-    return multiply_strided(m, a, y, m->s, 1, NULL, sum);
-}
-
-/* Add the derivatives by the numbers of term l of the kernel. The histories of the term have taken in the step. The
- * formulas are those of stage_terms.h, (23.21), with the factor -h. */
+/* Add the derivatives by the numbers of term l of the kernel. The histories of the term have taken in the step. */
 static int add_numbers_of_term(fvi_adjoint_structure *m, fvi_adjoint_structure_damper *a, size_t l)
 {
     const fvi_stage_term *t = a->terms.each + l;
-    const double h = m->run->h;
-    double sum = 0, left = 0;
-    int status = multiply(m, a, t->self.now, &sum);
-    a->by_number[FVI_BY_RHO][l] -= h * sum;
-    if (!status && t->again.memory) {
-        status = multiply(m, a, t->again.now, &sum);
-        a->by_number[FVI_BY_TIME][l] += h * t->by_time * t->rho * sum;
-    }
-    if (!status && t->log.memory) {
-        status = multiply(m, a, t->log.now, &sum);
-        if (!status)
-            status = multiply(m, a, t->left, &left);
-        a->by_number[FVI_BY_ORDER][l] -= 2 * h * t->rho * (sum - log(h) * left);
-    }
-    if (!status && t->less.memory) {
-        status = multiply(m, a, t->less.now, &sum);
-        a->by_number[FVI_BY_ORDER][l] += 2 * h * t->rho * sum;
-    }
-    for (int by = 0; !status && by < FVI_KERNEL_DERIVATIVES; by++) { /* derivatives that are kernels */
-        if (!t->slopes[by].memory)
+    double sum;
+    int status = FVI_SUCCESS;
+    for (size_t by = 0; !status && by < FVI_NUMBERS_OF_TERM; by++) {
+        if (!t->by[by])
             continue;
-        status = multiply(m, a, t->slopes[by].now, &sum);
-        a->by_number[FVI_BY_ORDER + by][l] -= h * t->slope[by].sign * t->rho * sum;
+        status = multiply_strided(m, a, t->by[by], m->s, 1, NULL, &sum);
+        a->by_number[by][l] -= m->run->h * t->factor[by] * sum;
     }
     return status;
 }

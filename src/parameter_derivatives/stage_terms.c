@@ -59,7 +59,7 @@ static int start_davidson(const fvi_run *run, const fvi_sensitivities *want, dou
     const fvi_kernel_term maxwell = { FVI_KERNEL_MAXWELL, 1, 0, t->unit.term.time, 0 };
     const fvi_kernel alone = { 1, &maxwell };
     int status = FVI_SUCCESS;
-    t->by_time = 2 * t->unit.term.alpha;
+    t->factor[2] *= 2 * t->unit.term.alpha;
     fvi_kernel sum;
     if (want->times)
         status = convolve(t, run, keep, &alone, &t->again);
@@ -74,8 +74,11 @@ static int start_slopes(const fvi_run *run, const fvi_sensitivities *want, doubl
     const double *const wanted[] = { want->orders, want->times, want->ends };
     int status = FVI_SUCCESS;
     for (int by = 0; !status && by < FVI_KERNEL_DERIVATIVES && !is_davidson(t); by++)
-        if (wanted[by] && fvi_kernel_derivative_of(&t->unit.term, (fvi_slope_by)by, &t->slope[by]))
+        if (wanted[by] && fvi_kernel_derivative_of(&t->unit.term, (fvi_slope_by)by, &t->slope[by])) {
             status = convolve(t, run, keep, &t->slope[by].kernel, &t->slopes[by]);
+            t->by[1 + by] = t->slopes[by].now;
+            t->factor[1 + by] = t->slope[by].sign * t->rho;
+        }
     return status;
 }
 
@@ -87,8 +90,8 @@ static int allocate(fvi_stage_term *t)
                           { &t->slopes[1].past, n }, { &t->slopes[2].past, n }, { &t->log.past, n },
                           { &t->slopes[0].now, n }, { &t->slopes[1].now, n }, { &t->slopes[2].now, n },
                           { &t->again.now, n }, { &t->log.now, n }, { &t->self.now, n }, { &t->rate, n },
-                          { &t->left, n }, { &t->room, n }, { &t->less.past, n }, { &t->less.now, n },
-                          { &t->before, t->d });
+                          { &t->left, n }, { &t->by_order, n }, { &t->room, n }, { &t->less.past, n },
+                          { &t->less.now, n }, { &t->before, t->d });
     if (!t->block)
         FVI_FAIL("no memory for the terms of a law", FVI_ENOMEM);
     return FVI_SUCCESS;
@@ -99,12 +102,19 @@ static int allocate(fvi_stage_term *t)
 static int start_term(const fvi_run *run, const fvi_sensitivities *want, size_t s, size_t d,
                          double keep, const fvi_kernel_term *of, fvi_stage_term *t)
 {
-    *t = (fvi_stage_term){ .s = s, .d = d, .h = run->h, .rule = fvi_lobatto(s), .by_time = 1 };
+    *t = (fvi_stage_term){ .s = s, .d = d, .h = run->h, .log_h = log(run->h), .rule = fvi_lobatto(s) };
     fvi_kernel_unit_term(of, &t->unit, &t->rho);
     const fvi_kernel_term *term = &t->unit.term;
     const fvi_kernel alone = { 1, term };
-    const int by_order = want->orders && (fvi_kernel_is_power_or_zener(term) || is_davidson(t));
+    const int by_order = want->orders && (fvi_kernel_is_power_or_zener(term) || is_davidson(t)),
+              by_time = want->times && (fvi_kernel_is_zener_or_maxwell(term) || is_davidson(t));
     int status = allocate(t);
+    t->by[0] = want->terms ? t->self.now : NULL;
+    t->factor[0] = 1;
+    t->by[1] = by_order ? t->by_order : NULL;
+    t->factor[1] = 2 * t->rho;
+    t->by[2] = by_time ? t->again.now : NULL;
+    t->factor[2] = -t->rho;
     if (!status)
         status = convolve(t, run, keep, &alone, &t->self);
     if (!status && fvi_kernel_is_zener_or_maxwell(term)
@@ -174,6 +184,8 @@ void fvi_stage_term_next(fvi_stage_term *t, size_t j, const double *nu)
         left[i] = u[i] - (is_davidson(t) ? 0 : t->unit.term.time * t->again.now[j * s + i]);
     if (t->log.memory)
         add_present(t, j, fvi_lobatto_history_w0_by_order(t->log.memory), left, &t->log);
+    for (size_t i = j * s; t->log.memory && i < (j + 1) * s; i++)
+        t->by_order[i] = t->log.now[i] - t->log_h * t->left[i] - t->less.now[i];
     for (int by = 0; by < FVI_KERNEL_DERIVATIVES; by++)
         if (t->slopes[by].memory)
             add_present(t, j, fvi_lobatto_history_w0(t->slopes[by].memory), nu, &t->slopes[by]);
@@ -230,24 +242,13 @@ static double dot(const fvi_stage_term *t, const double *v, const double *T)
 void fvi_stage_terms_accumulate(fvi_stage_terms *terms, size_t j, const double *nu, double weight,
                                 const double *v, const fvi_sensitivities *want, size_t first)
 {
-    double *const to[] = { want->orders, want->times, want->ends };
+    double *const to[] = { want->terms, want->orders, want->times, want->ends };
     for (size_t l = 0; l < terms->count; l++) {
         fvi_stage_term *t = terms->each + l;
-        const double scaled = weight * t->rho;
-        const size_t at = j * t->s, i = first + l;
         fvi_stage_term_next(t, j, nu);
-        if (want->terms)
-            want->terms[i] -= weight * dot(t, v, t->self.now + at);
-        if (t->again.memory && want->times)
-            want->times[i] += t->by_time * scaled * dot(t, v, t->again.now + at);
-        if (t->log.memory)
-            want->orders[i] -= 2 * scaled
-                               * (dot(t, v, t->log.now + at) - log(t->h) * dot(t, v, t->left + at));
-        if (t->less.memory)
-            want->orders[i] += 2 * scaled * dot(t, v, t->less.now + at);
-        for (int by = 0; by < FVI_KERNEL_DERIVATIVES; by++)
-            if (t->slopes[by].memory)
-                to[by][i] -= t->slope[by].sign * weight * t->rho * dot(t, v, t->slopes[by].now + at);
+        for (size_t by = 0; by < sizeof to / sizeof *to; by++)
+            if (t->by[by])
+                to[by][first + l] -= weight * t->factor[by] * dot(t, v, t->by[by] + j * t->s);
     }
 }
 

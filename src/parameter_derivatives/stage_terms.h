@@ -20,31 +20,25 @@ typedef struct {
  * numbers. */
 typedef struct {
     fvi_kernel_function unit; /* the term with rho = 1 */
-    double rho, h;     /* rho: of the term in the law */
+    double rho, h, log_h; /* rho: of the term in the law */
     size_t s, d;
     const fvi_lobatto_rule *rule;
     fvi_stage_convolution self, again, slopes[FVI_KERNEL_DERIVATIVES];
     fvi_kernel_derivative slope[FVI_KERNEL_DERIVATIVES];
     fvi_stage_convolution log; /* Delta^beta at beta = 0: only its derivative by beta is used */
-    double by_time;            /* the derivative by the time is -by_time rho again.now; by_time is 1, or 2 alpha for a
-                                  DAVIDSON */
     fvi_kernel_term *relaxation; /* for a DAVIDSON: Maxwell elements whose sum is ln(1 + time s); owned */
     fvi_stage_convolution less;  /* the history of these elements, of (Delta/h) u */
     double *rate, *left;      /* each: (Delta/h) u, and u - time W (Delta/h) u; u is self.now */
+    double *by_order;         /* each: L left, without ln(1 + time s) u of a DAVIDSON */
+    const double *by[4];      /* each: the derivative of W nu by rho, alpha, time and end, without the factor; NULL: not
+                                 wanted, or the term has no such number */
+    double factor[4];         /* the factor */
     double *before;           /* d numbers: u of the last stage of the step before */
     double *room, *block;     /* each; the memory of all these arrays and of past and now; owned */
 } fvi_stage_term;
 
-/* fvi_stage_term_next -- take in nu of number j, s velocities. The derivatives of rho W nu are then: by rho self.now;
- * by the time -by_time rho again.now; by the order 2 rho fvi_stage_term_by_order; and where the derivative is a kernel
- * of its own, sign rho slopes.now. */
+/* fvi_stage_term_next -- take in nu of number j, s velocities, and write the derivatives of W nu to t->by. */
 void fvi_stage_term_next(fvi_stage_term *t, size_t j, const double *nu);
-
-/* fvi_stage_term_by_order -- log.now - ln h left - less.now at index n, for a term with log.memory. */
-static inline double fvi_stage_term_by_order(const fvi_stage_term *t, size_t n, double log_h)
-{
-    return t->log.now[n] - log_h * t->left[n] - t->less.now[n];
-}
 
 /* All terms of a law; zeroed before the start. */
 typedef struct {

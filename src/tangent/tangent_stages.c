@@ -124,20 +124,14 @@ static int find_sums(fvi_tangent_run *o, fvi_tangent_damper *a)
  * stage. */
 static double terms_along(const fvi_tangent_run *o, const fvi_tangent_damper *a, size_t j, size_t at)
 {
-    const double log_h = log(o->run->h);
     double sum = 0;
     for (size_t l = 0; l < a->terms_of_stages.count; l++) {
         const fvi_stage_term *t = a->terms_of_stages.each + l;
         double number[4];
         fvi_tangent_numbers(o, a, j, l, number);
-        sum += number[0] * t->self.now[at];
-        if (t->again.memory)
-            sum -= number[2] * t->by_time * t->rho * t->again.now[at];
-        if (t->log.memory)
-            sum += 2 * number[1] * t->rho * fvi_stage_term_by_order(t, at, log_h);
-        for (size_t by = 0; by < FVI_KERNEL_DERIVATIVES; by++)
-            if (t->slopes[by].memory)
-                sum += number[1 + by] * t->slope[by].sign * t->rho * t->slopes[by].now[at];
+        for (size_t by = 0; by < 4; by++)
+            if (t->by[by])
+                sum += number[by] * t->factor[by] * t->by[by][at];
     }
     return sum;
 }
