@@ -17,8 +17,7 @@
 #include "mechanism/mechanism_state.h"
 #include "parameter_derivatives/stage_terms.h"
 
-/* One of several powers of a damper with the past rl. Each power has a history force of its own: impulses for rho
- * A = 1. */
+/* A power of the kernel of a damper. Each has a history force of its own: impulses for rho A = 1. */
 typedef struct {
     size_t term;
     fvi_kernel_impulse power;
@@ -38,14 +37,11 @@ typedef struct {
     double spring;              /* on a mesh, for a damper of order 0: its stiffness */
     /* The start. The amplitude A is the slope of z, or for the past rl z itself. */
     int needs_start_slope, needs_start_place;
-    double A, unit;             /* of the impulses for rho A = 1, or for A = 1 */
-    fvi_kernel_impulse power;   /* for a power */
-    fvi_impulses_of_kernel *impulses; /* for any other kernel */
-    fvi_adjoint_start_power *each;    /* for several powers; owned */
+    double A;
+    fvi_adjoint_start_power *each;    /* for powers; owned */
     size_t powers;
-    double impulse[FVI_KERNEL_IMPULSE_NODES], slope[FVI_KERNEL_IMPULSE_NODES];
-    double by_A, by_A_and_order, by_drift, by_origin; /* derivatives of J by A, of that by e, by the drift t A of z, and
-                                                         by z_0 */
+    fvi_impulses_of_kernel *impulses; /* for any other kernel, for A = 1 */
+    double by_A, by_drift, by_origin; /* derivatives of J by A through `impulses`, by the drift t A of z, and by z_0 */
     double factor;              /* the derivative by a factor of the kernel */
     /* for the numbers of its kernel */
     fvi_node_term *term;        /* without stages, one for each term; owned */
@@ -107,8 +103,7 @@ int fvi_adjoint_mesh_push(fvi_adjoint_mechanism *m);
 
 /* fvi_adjoint_mechanism_damper_start -- start the histories of damper j of a run at k = 0.
  *
- *   _impulses  the impulses of the past in step k, and their derivatives by e for a power
- *   _powers    the impulses of several powers in step k; by[i] is the derivative of J by impulse i
+ *   _impulses  take in the impulses of the past in step k; by[i] is the derivative of J by impulse i
  *   _push      push nu of a step, which gives eta. Add the derivatives by the numbers of the kernel. zeta: the
  *              elongation less z_0 and the drift; with stages zdot less the drift, s numbers
  *   _ahead     without stages: eta of this step without the term weight nu
@@ -116,10 +111,8 @@ int fvi_adjoint_mesh_push(fvi_adjoint_mechanism *m);
  *              its kernel
  *   _bar       write NaN to by_x0 for a place that would stretch the damper where no motion starts so, (19.2) */
 int fvi_adjoint_mechanism_damper_start(fvi_adjoint_mechanism *m, size_t j);
-void fvi_adjoint_mechanism_damper_powers(const fvi_adjoint_mechanism *m, size_t k,
-                                         fvi_adjoint_mechanism_damper *a, const double *by);
 void fvi_adjoint_mechanism_damper_impulses(const fvi_adjoint_mechanism *m, size_t k,
-                                           fvi_adjoint_mechanism_damper *a);
+                                           fvi_adjoint_mechanism_damper *a, const double *by);
 int fvi_adjoint_mechanism_damper_ahead(const fvi_adjoint_mechanism_damper *a, double *eta);
 int fvi_adjoint_mechanism_damper_push(fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a,
                                       const double *zeta);

@@ -2,6 +2,7 @@
 #include "adjoint_mechanism.h"
 
 #include "methods/lobatto_stages.h"
+#include "system/dot.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -21,58 +22,46 @@ static int is_first_order(const fvi_adjoint_mechanism *m)
 
 /* ---- the start ---- */
 
-/* Prepare the start of a damper that is stretched at t = 0. Its force is a sum of powers of t, one for each power of
- * the law. */
-static int start_powers(const fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a)
+/* Prepare the impulses of term l, a power, for rho A = 1. */
+static void start_power(const fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a, size_t l)
 {
     static const double ends[] = { 0, 1 };
     const fvi_lobatto_rule *rule = m->o->rule;
-    a->each = calloc(a->kernel->count, sizeof *a->each);
-    if (!a->each)
-        FVI_FAIL("no memory for the adjoint run", FVI_ENOMEM);
-    a->A = m->o->z[a->damper];
-    for (size_t l = 0; l < a->kernel->count; l++) {
-        const fvi_kernel_term *t = a->kernel->term + l;
-        fvi_adjoint_start_power *p = a->each + a->powers;
-        if (t->rho == 0 || !(t->alpha < 0.5))
-            continue;
-        p->term = l;
-        fvi_kernel_impulse_prepare(t->alpha, rule ? m->s : 2, rule ? rule->c : ends, &p->power);
-        p->unit = pow(m->run->h, 1 + p->power.e);
-        a->powers++;
-    }
-    return FVI_SUCCESS;
+    fvi_adjoint_start_power *p = a->each + a->powers++;
+    p->term = l;
+    fvi_kernel_impulse_prepare(a->kernel->term[l].alpha, rule ? m->s : 2, rule ? rule->c : ends, &p->power);
+    p->unit = pow(m->run->h, 1 + p->power.e);
 }
 
-/* Write A, and prepare the impulses of the past for A = 1, and for a power for rho = 1. */
+/* Write A, and prepare the impulses of the past. The force of a damper that is stretched at t = 0 is a sum of powers of
+ * t, one for each power of its law. */
 static int start_impulses(const fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a)
 {
-    static const double ends[] = { 0, 1 };
     const fvi_lobatto_rule *rule = m->o->rule;
     const fvi_damper *damper = damper_of(m, a);
     const size_t j = a->damper, d = m->d;
-    if (damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && !is_first_order(m) && !fvi_kernel_is_power(a->kernel)
-        && fvi_mechanism_check_stretch(a->kernel, j, NULL) == FVI_SUCCESS)
-        return start_powers(m, a);
-    a->needs_start_slope = fvi_mechanism_needs_start_slope(m->o, damper);
-    a->needs_start_place = damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE
-                     && !is_first_order(m) && fvi_kernel_growth(a->kernel) < 1;
+    const int is_power = fvi_kernel_is_power(a->kernel),
+              is_stretched = damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && !is_first_order(m),
+              is_sum = is_stretched && !is_power
+                       && fvi_mechanism_check_stretch(a->kernel, j, NULL) == FVI_SUCCESS;
+    a->needs_start_slope = !is_sum && fvi_mechanism_needs_start_slope(m->o, damper);
+    a->needs_start_place = is_sum || (is_stretched && fvi_kernel_growth(a->kernel) < 1);
     a->A = a->needs_start_place ? m->o->z[j] : 0;
     for (size_t i = 0; a->needs_start_slope && i < d; i++)
         a->A += m->G0[j * d + i] * m->v0[i];
     if ((!a->needs_start_slope && !a->needs_start_place) || is_first_order(m)
         || (a->needs_start_slope && damper->past == FVI_INITIAL_HISTORY_CAPUTO))
         return FVI_SUCCESS;
-    a->unit = 1;
-    if (fvi_kernel_is_power(a->kernel)) {
-        fvi_kernel_impulse_prepare(a->kernel->term->alpha, rule ? m->s : 2,
-                                   rule ? rule->c : ends, &a->power);
-        a->unit = pow(m->run->h, 1 + a->power.e);
-        return FVI_SUCCESS;
-    }
-    return rule ? fvi_impulses_of_kernel_at_stages(a->kernel, m->run->h, m->s, rule->c,
-                                                   &a->impulses)
-                : fvi_impulses_of_kernel_alloc(a->kernel, m->run->h, &a->impulses);
+    if (!is_sum && !is_power)
+        return rule ? fvi_impulses_of_kernel_at_stages(a->kernel, m->run->h, m->s, rule->c, &a->impulses)
+                    : fvi_impulses_of_kernel_alloc(a->kernel, m->run->h, &a->impulses);
+    a->each = calloc(a->kernel->count, sizeof *a->each);
+    if (!a->each)
+        FVI_FAIL("no memory for the adjoint run", FVI_ENOMEM);
+    for (size_t l = 0; l < a->kernel->count; l++)
+        if (is_power || (a->kernel->term[l].rho != 0 && a->kernel->term[l].alpha < 0.5))
+            start_power(m, a, l);
+    return FVI_SUCCESS;
 }
 
 static int start_history(const fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a)
@@ -120,7 +109,7 @@ static int start_terms(fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_damper *a
         status = fvi_node_term_start(&longer, m->want,
                                      is_first_order(m) ? FVI_DELTA_EULER : FVI_DELTA_BDF2,
                                      a->kernel->term + l, 1, NULL, a->term + l);
-        if (!status && a->needs_start_slope && a->unit != 0)
+        if (!status && a->needs_start_slope && (a->powers || a->impulses))
             status = fvi_node_term_start_impulses(a->term + l, m->run->h, m->want);
     }
     return status;
@@ -153,37 +142,20 @@ void fvi_adjoint_mechanism_damper_stop(fvi_adjoint_mechanism_damper *a)
 /* ---- a step ---- */
 
 void fvi_adjoint_mechanism_damper_impulses(const fvi_adjoint_mechanism *m, size_t k,
-                                           fvi_adjoint_mechanism_damper *a)
+                                           fvi_adjoint_mechanism_damper *a, const double *by)
 {
     const size_t n = m->o->rule ? m->s : 2;
-    if (a->unit == 0)
-        return;
-    if (a->impulses)
-        fvi_impulses_of_kernel_at(a->impulses, k, a->impulse);
-    else {
-        fvi_kernel_impulses(&a->power, k, a->impulse);
-        fvi_kernel_impulses_by_order(&a->power, k, a->slope);
+    double at[FVI_KERNEL_IMPULSE_NODES], slope[FVI_KERNEL_IMPULSE_NODES];
+    if (a->impulses) {
+        fvi_impulses_of_kernel_at(a->impulses, k, at);
+        a->by_A += fvi_dot(n, by, at);
     }
-    const double scale = a->impulses ? 1 : a->unit;
-    for (size_t i = 0; i < n; i++) {
-        a->impulse[i] *= scale;
-        a->slope[i] *= scale;
-    }
-}
-
-void fvi_adjoint_mechanism_damper_powers(const fvi_adjoint_mechanism *m, size_t k,
-                                         fvi_adjoint_mechanism_damper *a, const double *by)
-{
-    const size_t n = m->o->rule ? m->s : 2;
     for (size_t l = 0; l < a->powers; l++) {
         fvi_adjoint_start_power *p = a->each + l;
-        double at[FVI_KERNEL_IMPULSE_NODES], slope[FVI_KERNEL_IMPULSE_NODES];
         fvi_kernel_impulses(&p->power, k, at);
         fvi_kernel_impulses_by_order(&p->power, k, slope);
-        for (size_t i = 0; i < n; i++) {
-            p->by_A += p->unit * by[i] * at[i];
-            p->by_A_and_order += p->unit * by[i] * slope[i];
-        }
+        p->by_A += p->unit * fvi_dot(n, by, at);
+        p->by_A_and_order += p->unit * fvi_dot(n, by, slope);
     }
 }
 
@@ -236,38 +208,24 @@ int fvi_adjoint_mechanism_damper_push(fvi_adjoint_mechanism *m, fvi_adjoint_mech
 
 /* ---- the end ---- */
 
-/* Add the derivatives by rho and the order of a power through the impulses of its start; e falls by 2 dalpha. For any
- * other kernel without stages its terms have these derivatives. */
-static void add_impulses_of_power(const fvi_adjoint_mechanism *m,
-                                  const fvi_adjoint_mechanism_damper *a)
+/* Return the derivative by A. Add the derivatives by rho and the order of each power; e falls by 2 dalpha. Without
+ * stages the terms of the kernel have the derivatives through a slope. */
+static double add_impulses(const fvi_adjoint_mechanism *m, const fvi_adjoint_mechanism_damper *a)
 {
     const fvi_sensitivities *want = m->want;
-    const double rho = a->kernel->term->rho;
-    if (!fvi_kernel_is_power(a->kernel) || a->unit == 0 || (a->term && a->needs_start_slope))
-        return;
-    if (want->terms)
-        want->terms[a->first] += a->A * a->by_A;
-    if (want->orders)
-        want->orders[a->first] -=
-            2 * rho * a->A * (log(m->run->h) * a->by_A + a->by_A_and_order);
-}
-
-/* The same for several powers. Returns the derivative by the place. */
-static double add_powers(const fvi_adjoint_mechanism *m, const fvi_adjoint_mechanism_damper *a)
-{
-    const fvi_sensitivities *want = m->want;
-    double by_place = 0;
+    const int has_terms = a->term && a->needs_start_slope;
+    double by_A = a->by_A;
     for (size_t l = 0; l < a->powers; l++) {
         const fvi_adjoint_start_power *p = a->each + l;
         const double rho = a->kernel->term[p->term].rho;
-        by_place += rho * p->by_A;
-        if (want->terms)
+        by_A += rho * p->by_A;
+        if (want->terms && !has_terms)
             want->terms[a->first + p->term] += a->A * p->by_A;
-        if (want->orders)
+        if (want->orders && !has_terms)
             want->orders[a->first + p->term] -=
                 2 * rho * a->A * (log(m->run->h) * p->by_A + p->by_A_and_order);
     }
-    return by_place;
+    return by_A;
 }
 
 /* Refuse an elongation whose rate changes with the place, because no callback gives that derivative. It is 0 for
@@ -309,8 +267,7 @@ int fvi_adjoint_mechanism_damper_end(fvi_adjoint_mechanism *m, fvi_adjoint_mecha
 {
     const fvi_damper *damper = damper_of(m, a);
     const size_t d = m->d, j = a->damper;
-    const double *G = m->G0 + j * d,
-                 size = fvi_kernel_is_power(a->kernel) ? a->kernel->term->rho : 1;
+    const double *G = m->G0 + j * d, by_A = add_impulses(m, a);
     const int is_liouville =
         damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && is_first_order(m);
     double by_place = m->o->rule || is_liouville ? 0 : a->by_origin, by_slope = 0;
@@ -322,10 +279,9 @@ int fvi_adjoint_mechanism_damper_end(fvi_adjoint_mechanism *m, fvi_adjoint_mecha
         by_place = -a->eta[0];
     }
     if (a->needs_start_place)
-        by_place += size * a->by_A;
-    by_place += add_powers(m, a);
+        by_place += by_A;
     if (a->needs_start_slope)
-        by_slope = size * a->by_A + a->by_drift;
+        by_slope = by_A + a->by_drift;
     if (!status && by_slope != 0)
         status = check_rate(m, &damper->of);
     if (!status)
@@ -345,6 +301,5 @@ int fvi_adjoint_mechanism_damper_end(fvi_adjoint_mechanism *m, fvi_adjoint_mecha
     }
     if (m->want->damping)
         m->want->damping[j] = a->factor;
-    add_impulses_of_power(m, a);
     return status;
 }

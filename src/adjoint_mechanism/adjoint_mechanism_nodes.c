@@ -132,10 +132,7 @@ static int push_dampers(fvi_adjoint_mechanism *m, size_t k)
                      zeta = (o->z[e] + o->elongation[e]) / 2 - o->z0[e]
                             - t * (a->needs_start_slope ? a->A : 0);
         a->nu[0] = h / 2 * (left + right);
-        fvi_adjoint_mechanism_damper_impulses(m, k, a);
-        a->by_A -= a->impulse[0] * left + a->impulse[1] * right;
-        a->by_A_and_order -= a->slope[0] * left + a->slope[1] * right;
-        fvi_adjoint_mechanism_damper_powers(m, k, a, (double[]){ -left, -right });
+        fvi_adjoint_mechanism_damper_impulses(m, k, a, (double[]){ -left, -right });
         a->factor -= o->start_impulse[2 * e] * left + o->start_impulse[2 * e + 1] * right;
         for (size_t l = 0; a->term && a->needs_start_slope && l < a->kernel->count; l++)
             fvi_node_term_accumulate_impulses(a->term + l, k, a->A * left, a->A * right,

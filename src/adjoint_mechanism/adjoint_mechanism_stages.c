@@ -150,16 +150,13 @@ static int push_dampers(fvi_adjoint_mechanism *m, size_t k)
     for (size_t e = 0; !status && e < m->r; e++) {
         fvi_adjoint_mechanism_damper *a = m->damper + e;
         double slope_less_start[FVI_STAGES], by[FVI_STAGES];
-        fvi_adjoint_mechanism_damper_impulses(m, k, a);
         for (size_t i = 0; i < s; i++) {
-            const double unit = by[i] = a->nu[i] / (h * o->rule->b[i]);
+            by[i] = a->nu[i] / (h * o->rule->b[i]);
             a->factor += a->nu[i] * o->lambda[e * s + i];
-            a->by_A += unit * a->impulse[i];
-            a->by_A_and_order += unit * a->slope[i];
             a->by_drift -= a->eta[i];
             slope_less_start[i] = o->zdot[e * s + i] - (a->needs_start_slope ? a->A : 0);
         }
-        fvi_adjoint_mechanism_damper_powers(m, k, a, by);
+        fvi_adjoint_mechanism_damper_impulses(m, k, a, by);
         status = fvi_adjoint_mechanism_damper_push(m, a, slope_less_start);
     }
     return status;
