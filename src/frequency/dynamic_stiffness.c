@@ -1,7 +1,6 @@
 /* src/frequency/dynamic_stiffness.c -- Compute Z(s) = s^2 M + K + sum_j C_j(s) B_j, its factors and products. [H 30] */
 #include "dynamic_stiffness.h"
 
-#include "matrices/complex_factors.h"
 #include "matrices/sparse.h"
 #include "kernel/kernel_terms.h"
 #include "system/fail.h"
@@ -118,11 +117,6 @@ int fvi_stiffness_factorise(fvi_response *r, double complex s, double e)
     return status;
 }
 
-int fvi_stiffness_solve(const fvi_response *r, double complex *x)
-{
-    return fvi_complex_factors_solve(r->factors, x);
-}
-
 void fvi_stiffness_multiply(const fvi_response *r, const double complex *A,
                             const double complex *x, double complex *y)
 {
@@ -132,9 +126,4 @@ void fvi_stiffness_multiply(const fvi_response *r, const double complex *A,
             sum += A[e] * x[r->row[e]];
         y[j] = sum;
     }
-}
-
-double fvi_stiffness_phase(const fvi_response *r)
-{
-    return fvi_complex_factors_phase(r->factors);
 }

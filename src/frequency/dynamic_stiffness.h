@@ -4,10 +4,10 @@
 #ifndef FVI_DYNAMIC_STIFFNESS_H
 #define FVI_DYNAMIC_STIFFNESS_H
 
+#include "matrices/complex_factors.h"
+
 #include <fvi/response.h>
 #include <fvi/structures.h>
-
-#include <complex.h>
 
 /* Up to this number of unknowns Z has dense factors, and a determinant. */
 enum { FVI_ALWAYS_DENSE = 24 };
@@ -21,8 +21,6 @@ typedef struct {
     int *place;
     double norm;              /* Frobenius norm of the matrix */
 } fvi_stiffness_term;
-
-typedef struct fvi_complex_factors fvi_complex_factors;
 
 struct fvi_response {
     size_t d, terms;
@@ -51,12 +49,9 @@ int fvi_stiffness_find_pattern(fvi_response *response);
 /* fvi_stiffness_at -- Compute Z(s) and Z'(s) with e times the damping. */
 void fvi_stiffness_at(fvi_response *response, double complex s, double e);
 
-/* fvi_stiffness_factorise -- Compute the factors of Z(s). Return FVI_SUCCESS, FVI_ESING, FVI_ENOMEM or what
+/* fvi_stiffness_factorise -- Compute response->factors, those of Z(s). Return FVI_SUCCESS, FVI_ESING, FVI_ENOMEM or what
  * fvi_interrupted returns. */
 int fvi_stiffness_factorise(fvi_response *response, double complex s, double e);
-
-/* fvi_stiffness_solve -- Replace x by Z^-1 x, with the present factors. Return FVI_SUCCESS or FVI_ENOMEM. */
-int fvi_stiffness_solve(const fvi_response *response, double complex *x);
 
 /* fvi_stiffness_multiply -- Compute y = A x. A is the array Z or slope of the response. */
 void fvi_stiffness_multiply(const fvi_response *response,
@@ -65,8 +60,5 @@ void fvi_stiffness_multiply(const fvi_response *response,
 
 /* fvi_stiffness_norm -- Return |s|^2 |M| + |K| + sum_j |C_j(s)| |B_j|, which bounds |Z(s)|. */
 double fvi_stiffness_norm(const fvi_response *response, double complex s);
-
-/* fvi_stiffness_phase -- Return arg det Z with the present factors, up to whole turns. Only for dense factors. */
-double fvi_stiffness_phase(const fvi_response *response);
 
 #endif

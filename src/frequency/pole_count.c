@@ -43,7 +43,7 @@ static double phase(const void *params, double u, double v)
 {
     fvi_response *r = (fvi_response *)params;
     const double complex s = exp(u) * (cos(v) + I * sin(v));
-    return fvi_stiffness_factorise(r, s, 1) ? GSL_NAN : fvi_stiffness_phase(r);
+    return fvi_stiffness_factorise(r, s, 1) ? GSL_NAN : fvi_complex_factors_phase(r->factors);
 }
 
 /* Return nonzero if the symbol has poles off the cut. A fraction has the denominator 1 + T s^b. This is zero where

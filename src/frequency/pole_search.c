@@ -109,7 +109,7 @@ static int update_shape(fvi_response *r, double complex *s, double complex *v,
     if (status)
         return status;
     fvi_stiffness_multiply(r, r->slope, v, room);
-    status = fvi_stiffness_solve(r, room);
+    status = fvi_complex_factors_solve(r->factors, room);
     size_t largest = 0;
     for (size_t i = 0; i < r->d; i++)
         if (cabs(room[i]) > cabs(room[largest]))
@@ -251,7 +251,7 @@ static int correct_pole_and_shape(fvi_response *r, damping_path *p, double e, do
         if (status)
             return status == FVI_ESING ? FVI_EMAXITER : status;
         fvi_stiffness_multiply(r, r->slope, p->w, p->x);
-        status = fvi_stiffness_solve(r, p->x);
+        status = fvi_complex_factors_solve(r->factors, p->x);
         if (status)
             return status;
         const double complex step = conjugate_product(d, p->w, p->w)

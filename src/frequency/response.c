@@ -1,7 +1,6 @@
 /* src/frequency/response.c -- Compute responses by frequency.                  [H 30] */
 #include "dynamic_stiffness.h"
 
-#include "matrices/complex_factors.h"
 #include "system/system_check.h"
 
 #include <fvi/dampers.h>
@@ -116,7 +115,7 @@ int fvi_response_solve(fvi_response *r, const double s[2], const double *f,
     status = fvi_stiffness_factorise(r, z, 1);
     if (!status) {
         memmove(x, f, 2 * r->d * sizeof *x);
-        status = fvi_stiffness_solve(r, (double complex *)x);
+        status = fvi_complex_factors_solve(r->factors, (double complex *)x);
     }
     if (status)
         return refuse_pole(status, error);
@@ -185,7 +184,7 @@ static int solve_at_frequency(fvi_response *r, fvi_response_kind kind, double om
     if (status)
         return status;
     assemble_load(r, kind, by, x);
-    status = fvi_stiffness_solve(r, x);
+    status = fvi_complex_factors_solve(r->factors, x);
     const double complex h = convert_receptance(kind, omega, r->along[at], x[at]);
     H[0] = creal(h);
     H[1] = cimag(h);
