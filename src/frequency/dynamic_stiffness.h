@@ -49,8 +49,8 @@ int fvi_stiffness_find_pattern(fvi_response *response);
 /* fvi_stiffness_at -- Compute Z(s) and Z'(s) with e times the damping. */
 void fvi_stiffness_at(fvi_response *response, double complex s, double e);
 
-/* fvi_stiffness_factorise -- Compute response->factors, those of Z(s). Return FVI_SUCCESS, FVI_ESING, FVI_ENOMEM or what
- * fvi_interrupted returns. */
+/* fvi_stiffness_factorise -- Compute response->factors, those of Z(s). Return FVI_SUCCESS, FVI_ESING, FVI_ENOMEM or
+ * what fvi_interrupted returns. */
 int fvi_stiffness_factorise(fvi_response *response, double complex s, double e);
 
 /* fvi_stiffness_multiply -- Compute y = A x. A is the array Z or slope of the response. */

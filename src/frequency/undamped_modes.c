@@ -17,8 +17,8 @@
 
 /* ---- full matrices ---- */
 
-/* Compute all modes of full symmetric matrices, which are overwritten, from those of L^-1 K L^-T with M = L L^T. Row i of
- * V becomes mode i. `room` has 5 n numbers. */
+/* Compute all modes of full symmetric matrices, which are overwritten, from those of L^-1 K L^-T with M = L L^T. Row i
+ * of V becomes mode i. `room` has 5 n numbers. */
 static int full_modes(size_t n, double *K, double *M, double *lambda, double *V,
                       double *room)
 {

@@ -5,9 +5,8 @@
 #include <math.h>
 
 /* Return the angle by which the phase turns from one end of a piece to the other. The piece is halved until the angles
- * are small. Return NaN if they do not become small, which happens if a zero is on the way. The second half is not asked
- * after the first has failed, because each half may ask twice as many again: a phase of rounding errors alone would take
- * 2^40 values. */
+ * are small. Return NaN if they do not become small, which happens if a zero is on the way. If the first half fails,
+ * the second is left out, because otherwise a phase of rounding errors would be evaluated 2^40 times. */
 static double phase_change(fvi_phase *phase, const void *params, const double a[2],
                            const double b[2], double at_a, double at_b, int depth)
 {
