@@ -373,7 +373,6 @@ int fvi_estimate_multistart(const fvi_estimation *fit, double *curve, fvi_estima
 {
     search o;
     double low[FVI_ESTIMATION_MOST], high[FVI_ESTIMATION_MOST];
-    double were[FVI_ESTIMATION_MOST]; /* the values of the run, which are restored */
     int status = fvi_estimation_check(fit);
     if (status)
         return status;
@@ -381,13 +380,8 @@ int fvi_estimate_multistart(const fvi_estimation *fit, double *curve, fvi_estima
         FVI_FAIL("no room for the answer", FVI_EFAULT);
     fvi_quiet();
     status = fvi_estimation_work_alloc(&o, fit, low, high);
-    for (size_t j = 0; !status && j < fit->parameters; j++)
-        were[j] = fvi_estimation_model_get(&o.model, j);
-    if (!status) {
+    if (!status)
         status = run_search(&o, low, high, curve, fitted);
-        for (size_t j = 0; j < fit->parameters; j++)
-            fvi_estimation_model_set(&o.model, j, were[j]);
-    }
     fvi_estimation_work_free(&o); /* o.model.ended and o.model.reached keep their values */
     fvi_loud();
     if (o.model.ended == FVI_ERUNAWAY) { /* not a mistake of the caller, so the error handler is not called */

@@ -164,10 +164,9 @@ int fvi_estimation_predict_errors(fvi_estimation_work *o, const double *u, fvi_e
     int status = workspace_alloc(o->model.fit, &w);
     if (status)
         return status;
-    double *kept = malloc(w.J.matrix.size1 * P * sizeof *kept);
-    status = kept ? evaluate(o, u, &w) : FVI_ENOMEM;
-    if (!status) {
-        gsl_matrix_view J = gsl_matrix_view_array(kept, w.J.matrix.size1, P);
+    status = evaluate(o, u, &w);
+    if (!status) { /* fvi_estimation_errors overwrites its matrix, and fill_unseen needs J */
+        gsl_matrix_view J = gsl_matrix_submatrix(&w.room.matrix, 0, 0, w.J.matrix.size1, P);
         gsl_matrix_memcpy(&J.matrix, &w.J.matrix);
         status = fvi_estimation_errors(&J.matrix, planned->sd, planned->correlation);
     }
@@ -177,7 +176,6 @@ int fvi_estimation_predict_errors(fvi_estimation_work *o, const double *u, fvi_e
         tangent_intervals(&o->model, planned, e);
         fill_unseen(&o->model, planned, &w.J.matrix, &w.room.matrix, &w.v.vector, e);
     }
-    free(kept);
     free(w.block);
     return status;
 }
@@ -275,11 +273,9 @@ static void set_whole_ranges(const fvi_estimation *fit, fvi_examination *e)
 static int examine(fvi_estimation_work *o, const fvi_estimate *fitted, fvi_examination *e)
 {
     const fvi_estimation *fit = o->model.fit;
-    double u[FVI_ESTIMATION_MOST], were[FVI_ESTIMATION_MOST];
-    for (size_t j = 0; j < fit->parameters; j++) {
-        were[j] = fvi_estimation_model_get(&o->model, j);
+    double u[FVI_ESTIMATION_MOST];
+    for (size_t j = 0; j < fit->parameters; j++)
         u[j] = fvi_estimation_theta_to_u(&o->model, j, fitted->estimate[j]);
-    }
     o->fine = 1e-6;
     fvi_estimation_model_weigh(&o->model, fitted);
     fvi_estimation_model_set_step(&o->model, fitted->h);
@@ -293,8 +289,6 @@ static int examine(fvi_estimation_work *o, const fvi_estimate *fitted, fvi_exami
         if (!status)
             search_other_minima(o, fitted, e);
     }
-    for (size_t j = 0; j < fit->parameters; j++)
-        fvi_estimation_model_set(&o->model, j, were[j]);
     return status;
 }
 

@@ -96,6 +96,13 @@ static int needs_laws(const fvi_estimation *fit)
     return 0;
 }
 
+/* Return where the caller keeps the constant that parameter j is; NULL if it is none. */
+static double *constant_of(const fvi_estimation *fit, size_t j)
+{
+    const fvi_free_parameter base = fvi_free_parameter_base(fit->which[j]);
+    return base >= FVI_FREE_PARAMETER_CONSTANT ? &fit->constants[base - FVI_FREE_PARAMETER_CONSTANT] : NULL;
+}
+
 int fvi_estimation_model_init(fvi_estimation_model *m, const fvi_estimation *fit, double *motion)
 {
     *m = (fvi_estimation_model){ .fit = fit, .motion = motion, .window = 1 };
@@ -104,6 +111,8 @@ int fvi_estimation_model_init(fvi_estimation_model *m, const fvi_estimation *fit
     if (m->run.most_steps == 0)
         m->run.most_steps = FVI_FIT_MOST_STEPS;
     m->run.system = &m->system;
+    for (size_t j = 0; j < fit->parameters; j++)
+        m->given[j] = constant_of(fit, j) ? *constant_of(fit, j) : 0;
     double scale[FVI_MEASURED_MOST] = { 0 };
     for (size_t c = 0; c < fvi_estimation_columns(fit); c++) {
         const double size = fvi_estimation_size(fit, c),
@@ -117,6 +126,9 @@ int fvi_estimation_model_init(fvi_estimation_model *m, const fvi_estimation *fit
 
 void fvi_estimation_model_clear(fvi_estimation_model *m)
 {
+    for (size_t j = 0; m->fit && j < m->fit->parameters; j++)
+        if (constant_of(m->fit, j))
+            *constant_of(m->fit, j) = m->given[j];
     free(m->mass);
     free(m->laws.kernel);
     free(m->laws.term);

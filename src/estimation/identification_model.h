@@ -30,6 +30,7 @@ typedef struct {
     fvi_run run; /* run of that system and of record 0; x0, p0, masses and dampings are the next four arrays */
     double *mass, *damping, *x0, *p0; /* d numbers each; one block, which begins at mass; owned */
     fvi_estimation_laws laws;
+    double given[FVI_ESTIMATION_MOST]; /* [j]: the caller's value of the constant that parameter j is */
     double offset[FVI_MEASURED_MOST], drift[FVI_MEASURED_MOST]; /* offsets and drifts of the sensors */
     double window;   /* share of each record's rows that are compared: 1, or less */
     double scale[FVI_MEASURED_MOST]; /* unit of the residuals of each column: sigma, or the size of the data */
@@ -46,7 +47,8 @@ typedef struct {
 } fvi_estimation_model;
 
 /* Make the model with the values of fit->run. `motion` belongs to the caller. The model points into itself, so do not
- * copy it. Free it with fvi_estimation_model_clear in each case. Return FVI_SUCCESS or FVI_ENOMEM. */
+ * copy it. Free it with fvi_estimation_model_clear in each case, which gives the fitted constants of the caller their
+ * values back. Return FVI_SUCCESS or FVI_ENOMEM. */
 int fvi_estimation_model_init(fvi_estimation_model *m, const fvi_estimation *fit, double *motion);
 void fvi_estimation_model_clear(fvi_estimation_model *m);
 

@@ -155,9 +155,9 @@ static void fill_tangent(profile *o, const fvi_estimate *fitted, size_t j)
     }
 }
 
-/* Set up the fit of the others, with parameter j as the last one. Keep the present values in `were`. */
+/* Set up the fit of the others, with parameter j as the last one. Keep the present value of j in *given. */
 static int begin(profile *o, const fvi_estimation *fit, const fvi_estimate *fitted,
-                 size_t j, double *were)
+                 size_t j, double *given)
 {
     double low[FVI_ESTIMATION_MOST], high[FVI_ESTIMATION_MOST], found[FVI_ESTIMATION_MOST];
     o->fit = *fit;
@@ -173,8 +173,9 @@ static int begin(profile *o, const fvi_estimation *fit, const fvi_estimate *fitt
     o->fit.parameters = o->others > 0 ? o->others : 1;
     int status = fvi_estimation_work_alloc(&o->work, &o->fit, low, high);
     fvi_estimation_model *m = &o->work.model;
+    if (!status)
+        *given = fvi_estimation_model_get(m, o->others);
     for (size_t i = 0; !status && i <= o->others; i++) {
-        were[i] = fvi_estimation_model_get(m, i);
         fvi_estimation_model_set(m, i, found[i]);
         o->on.at.u[i] = fvi_estimation_theta_to_u(m, i, found[i]);
     }
@@ -212,7 +213,7 @@ int fvi_estimate_profile(const fvi_estimation *fit, const fvi_estimate *fitted, 
                     double *low, double *high)
 {
     profile o = { .is_least = 1 };
-    double were[FVI_ESTIMATION_MOST];
+    double given;
     int status = fvi_estimation_check(fit);
     if (status)
         return status;
@@ -224,11 +225,10 @@ int fvi_estimate_profile(const fvi_estimation *fit, const fvi_estimate *fitted, 
         || !(fitted->sigma > 0))
         FVI_FAIL("a profile needs the answer of a fit", FVI_EDOM);
     fvi_quiet();
-    status = begin(&o, fit, fitted, j, were);
+    status = begin(&o, fit, fitted, j, &given);
     if (!status) {
         find_both_edges(&o, fitted, j, low, high);
-        for (size_t i = 0; i <= o.others; i++)
-            fvi_estimation_model_set(&o.work.model, i, were[i]);
+        fvi_estimation_model_set(&o.work.model, o.others, given); /* the model gives back those of its fit */
     }
     fvi_estimation_work_free(&o.work);
     fvi_loud();

@@ -113,15 +113,10 @@ const char *fvi_estimate_warning_of_initial_history(const fvi_estimation *fit,
 {
     fvi_estimation_model m;
     const char *text = NULL;
-    double were[FVI_ESTIMATION_MOST];
     if (!fvi_estimation_model_init(&m, fit, NULL)) {
-        for (size_t j = 0; j < fit->parameters; j++) {
-            were[j] = fvi_estimation_model_get(&m, j);
-            fvi_estimation_model_set(&m, j, fitted->estimate[j]);
-        }
-        fvi_warning_of_initial_history(&m.run, &text);
         for (size_t j = 0; j < fit->parameters; j++)
-            fvi_estimation_model_set(&m, j, were[j]);
+            fvi_estimation_model_set(&m, j, fitted->estimate[j]);
+        fvi_warning_of_initial_history(&m.run, &text);
     }
     fvi_estimation_model_clear(&m);
     return text;

@@ -228,6 +228,25 @@ START_TEST(eq_24_3_a_plan_foresees_the_standard_deviations)
 }
 END_TEST
 
+/* The derivatives of a run with a law are differences, for which a plan writes to the caller's constants. */
+START_TEST(a_plan_gives_the_constants_back)
+{
+    const fvi_kernel_term zener = { FVI_KERNEL_ZENER, 1, 0.3, 0.5, 0 };
+    const fvi_kernel law = { 1, &zener };
+    const fvi_free_parameter which[] = { FVI_FREE_PARAMETER_RHO, FVI_FREE_PARAMETER_CONSTANT };
+    question q;
+    fvi_estimate plan;
+    fvi_examination e;
+    ask(&q, NULL, 2);
+    q.run.law = &law;
+    q.fit.which = which;
+    q.fit.sigma = 0.02;
+    ck_assert_int_eq(fvi_estimate_design(&q.fit, &plan, &e), FVI_SUCCESS);
+    ck_assert(plan.sd[1] > 0);
+    ck_assert(q.constants[0] == 2.5);
+}
+END_TEST
+
 START_TEST(an_examination_refuses_what_is_no_answer)
 {
     question q;
@@ -252,7 +271,7 @@ int main(void)
              eq_24_11_silent_intervals_in_a_bent_valley_hold_the_truth,
              eq_24_14_an_offset_is_seen_or_said_to_be_unseen, eq_24_15_noise_is_no_motion,
              eq_24_13_noise_with_an_echo_is_seen, a_drift_is_seen_and_can_be_fitted,
-             eq_24_3_a_plan_foresees_the_standard_deviations,
+             eq_24_3_a_plan_foresees_the_standard_deviations, a_plan_gives_the_constants_back,
              an_examination_refuses_what_is_no_answer);
     return run_suite(suite);
 }
