@@ -51,7 +51,8 @@ static int lacks_inertia(const fvi_run *run)
         return 0;
     double *room = calloc(d * d + 2 * d, sizeof *room);
     size_t *is_zero = calloc(d, sizeof *is_zero);
-    if (room && is_zero && fvi_inertia_at_rest(system, 0, run->x0, room + d * d + d, room, is_zero, &vanishes) == FVI_SUCCESS)
+    if (room && is_zero
+        && !fvi_inertia_at_rest(system, 0, run->x0, room + d * d + d, room, is_zero, &vanishes))
         for (size_t i = 0; i < d; i++)
             lacks |= is_zero[i] != 0;
     free(room);

@@ -76,7 +76,7 @@ typedef struct {
 int fvi_rheology_alloc(const fvi_material_data *data, fvi_rheology *o);
 void fvi_rheology_free(fvi_rheology *o);
 
-/* fvi_rheology_column -- Return column j, `rows` numbers: column n < elements of amplitude n, column elements + j of u_j.
+/* fvi_rheology_column -- Return column j, `rows` numbers: column n < elements of amplitude n, elements + j of u_j.
  * fvi_rheology_products -- Compute A = J^T J, where the columns of J are the P columns from `first` on. */
 double *fvi_rheology_column(const fvi_rheology *o, size_t j);
 void fvi_rheology_products(const fvi_rheology *o, size_t first, size_t P, double A[][FVI_LAW_MOST]);

@@ -33,7 +33,8 @@ static double evaluate(problem *p, const double *x, double *r, int with_slopes)
     return isfinite(sum) ? sum : INFINITY;
 }
 
-/* Compute the normal equations from residuals and Jacobian. A number at a bound stays there if the descent would leave the bounds. */
+/* Compute the normal equations from residuals and Jacobian. A number at a bound stays there if the descent would leave
+ * the bounds. */
 static void normal_equations(const problem *p, const double *x, double A[][FVI_LAW_MOST],
                              double *b, int *stays)
 {

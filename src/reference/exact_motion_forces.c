@@ -24,7 +24,7 @@ static size_t count_dampers(const fvi_exact_motion *o)
     return m ? m->damper_count : 1;
 }
 
-/* Return the gradient of the elongation of damper j, which is the same everywhere; NULL if it does not act along one. */
+/* Return the gradient of the elongation of damper j, which is the same everywhere; NULL if it acts along none. */
 static const double *gradient_of(const fvi_exact_motion *o, size_t j)
 {
     return o->response->term[o->response->terms - count_dampers(o) + j].gradient;
