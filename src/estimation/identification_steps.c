@@ -3,6 +3,7 @@
 
 #include "system/lagrangian_point.h"
 #include "system/larger.h"
+#include "system/stiffness.h"
 
 #include <fvi/dampers.h>
 #include <fvi/lobatto.h>
@@ -12,23 +13,13 @@
 
 enum { MANY_STEPS = 1 << 13, MOST_COORDINATES = 64 };
 
-/* Return the largest sum of a row of |M^-1 Hess U| at the start, which bounds w^2 of each mode. Return 0 if it is not
- * known. */
+/* Return a bound of w^2 of each mode at the start; 0 if it is not known. */
 static double fastest_square(const fvi_run *run)
 {
-    const fvi_system *system = run->system;
     double most = 0;
-    if (system->d > MOST_COORDINATES || system->matrices)
+    if (run->system->d > MOST_COORDINATES || !run->system->potential.hessian
+        || fvi_potential_stiffness(run->system, run->x0, &most))
         return 0;
-    double *H = malloc(fvi_potential_hessian_size(system) * sizeof *H);
-    const int is_known = H && !fvi_potential_hessian(system, run->x0, H);
-    for (size_t i = 0; i < system->d && is_known; i++) {
-        double sum = 0;
-        for (size_t j = 0; j < system->d; j++)
-            sum += fabs(H[i * system->d + j]);
-        most = larger(most, sum / system->mass[i]);
-    }
-    free(H);
     return isfinite(most) ? most : 0;
 }
 

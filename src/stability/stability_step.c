@@ -1,8 +1,10 @@
-/* src/stability/stability_step.c -- The load of a method, and its longest stable step. [H 14] */
+/* src/stability/stability_step.c -- The load of a method, at the start and along a run, and its longest stable step.
+ * [H 14] */
 #include <fvi/stability.h>
 
 #include "run/run_damper.h"
 #include "system/fail.h"
+#include "system/stiffness.h"
 #include "system/system_check.h"
 
 #include <gsl/gsl_math.h>
@@ -24,6 +26,33 @@ int fvi_stability_number(const fvi_method *method, const fvi_run *run,
         FVI_FAIL("this method does not know this alpha", FVI_EDOM);
     return method->stability_number(&normal, load);
 }
+
+//> along
+int fvi_stability_along_run(const fvi_method *method, const fvi_run *run,
+                        const double *x, double *stiffest, double *load)
+{
+    if (!method || !run || !x || !stiffest || !load)
+        FVI_FAIL("null pointer", FVI_EFAULT);
+    int status = fvi_system_require(run->system);
+    if (status)
+        return status;
+    double stiffness = 0, there = 0;
+    if (run->system->potential.hessian)
+        status = fvi_potential_stiffness(run->system, x, &stiffness);
+    if (status == FVI_ENOMEM)
+        FVI_FAIL("no memory for the Hessian", FVI_ENOMEM);
+    if (!status && stiffness > 1.05 * *stiffest) {
+        fvi_run here = *run;
+        here.x0 = x;
+        status = fvi_stability_number(method, &here, &there);
+        if (!status)
+            *stiffest = stiffness;
+    }
+    if (!status)
+        *load = there;
+    return status;
+}
+//< along
 
 /* The Hessian of U at x0. The caller's function is called once, when a load first needs the Hessian; the loads of all
  * other steps read this copy. */

@@ -2,7 +2,10 @@
 #include "stiffness.h"
 #include "system/larger.h"
 
+#include <fvi/error.h>
+
 #include <math.h>
+#include <stdlib.h>
 
 /* Return sum_j |H_ij|. Row i of a band holds the diagonal and the entries to its right. The entries to the left are
  * found in the rows above, by symmetry. */
@@ -26,4 +29,15 @@ double fvi_stiffness(const fvi_system *system, const double *H)
         most = larger(most, row_sum(H, d, system->potential.diagonals, i)
                                 / system->mass[i]);
     return most;
+}
+
+int fvi_potential_stiffness(const fvi_system *system, const double *x, double *stiffness)
+{
+    const fvi_potential *u = &system->potential;
+    double *H = malloc(system->d * (u->diagonals ? u->diagonals : system->d) * sizeof *H);
+    const int status = H ? u->hessian(system->d, x, u->params, H) : FVI_ENOMEM;
+    if (!status)
+        *stiffness = fvi_stiffness(system, H);
+    free(H);
+    return status;
 }

@@ -78,15 +78,12 @@ static int find_springs(fvi_stepper *s, fvi_variable_step_state *o, double **spr
  * may be coupled. */
 static int find_shortest_part(const fvi_stepper *s, double *part)
 {
-    const fvi_system *system = s->run.system;
-    const fvi_potential *u = &system->potential;
-    double *H = malloc(fvi_potential_hessian_size(system) * sizeof *H);
-    if (!H)
+    double stiffness = 0;
+    const int status = fvi_potential_stiffness(s->run.system, s->x, &stiffness);
+    if (status == FVI_ENOMEM)
         FVI_FAIL("no memory for the springs", FVI_ENOMEM);
-    const int status = u->hessian(system->d, s->x, u->params, H);
     if (!status)
-        *part = fmin(1, 2 / sqrt(fvi_stiffness(system, H)) / s->run.h);
-    free(H);
+        *part = fmin(1, 2 / sqrt(stiffness) / s->run.h);
     return status;
 }
 
