@@ -7,7 +7,7 @@ import tempfile
 
 PLAY = pathlib.Path(__file__).parent
 # What a run of the page takes of src/.
-MODULES = """band error expression expression_parse expression_values lu newton newton_stages potentials system tape coefficients convolution_quadrature lobatto_history lobatto_modes
+MODULES = """band error expression expression_parse expression_values lagrangian lu newton newton_stages potentials system tape coefficients convolution_quadrature lobatto_history lobatto_modes
     lobatto_nodes lobatto_rules lobatto_weights memory history_direct past impulses run_check solution trajectory
     convolution_quadrature_stability stability stability_explicit stability_step
     convolution_quadrature_dampers convolution_quadrature_methods damping damping_sums discrete_mechanics fvi stability_number lobatto lobatto_damped
@@ -17,7 +17,7 @@ MODULES = """band error expression expression_parse expression_values lu newton 
 # (kernel() of model.js); any other name that is missing stops the link.
 ABSENT = """fvi_kernel_at fvi_kernel_check fvi_kernel_growth fvi_kernel_history fvi_kernel_symbol
     fvi_kernel_of_function fvi_kernel_takes_caputo fvi_shifted_symbol
-    fvi_lobatto_kernel_free fvi_lobatto_kernel_few_nodes fvi_lobatto_kernel_prepare fvi_lobatto_kernel_weights
+    fvi_lobatto_kernel_free fvi_lobatto_kernel_nodes fvi_lobatto_kernel_prepare fvi_lobatto_kernel_weights
     fvi_events_check fvi_lobatto_matrices_start fvi_mechanism_start fvi_damping_begin_matrices fvi_check_dampers_of_matrices
     fvi_impulses_of_kernel_alloc fvi_impulses_of_kernel_at fvi_impulses_of_kernel_at_stages fvi_impulses_of_kernel_copy fvi_impulses_of_kernel_free
     fvi_stability_of_matrices

@@ -208,7 +208,7 @@ static double filter_term(fvi_cq_damper *a, double term)
 static int predict_history(const fvi_cq_damper *a, double z, double *ahead)
 {
     const int status = fvi_history_ahead(a->damping->memory, &z, ahead);
-    if (a->taps && a->increments)
+    if (a->taps && a->damping->sums_increments)
         *ahead += a->g[1] * a->past[a->place];
     return status;
 }
@@ -232,7 +232,7 @@ int fvi_adjoint_multistep_step_one_coordinate(fvi_adjoint_multistep *m)
                  dx = (r - *n->s * (G * x)) / J, g = G * (x + n->theta * dx);
     double z = x + dx - *d->origin, dz = dx;
     p -= h * g;
-    *(a->increments ? &dz : &z) = filter_term(a, a->increments ? dz : z);
+    *(a->damping->sums_increments ? &dz : &z) = filter_term(a, a->damping->sums_increments ? dz : z);
     const int pushed = d->Hdot
                            ? fvi_history_push_by_order(d->memory, &z, &dz, d->H, d->Hdot)
                            : fvi_history_push(d->memory, &z, &dz, d->H);

@@ -3,6 +3,7 @@
 
 #include <fvi/coefficients.h>
 #include "kernel_general.h"
+#include "memory/history_kinds.h"
 #include "system/fail.h"
 
 #include <gsl/gsl_integration.h>
@@ -75,20 +76,6 @@ static void negative_power(double nu, size_t count, double *w)
         w[n] = w[n - 1] * ((double)n - 1 - nu) / (double)n;
 }
 
-/* Multiply the series w by ((3 - z)/2)^beta. The loop runs from the last coefficient to the first, so that no
- * coefficient is overwritten before its last use. */
-static void times_bdf2(double beta, size_t count, double *w)
-{
-    double g[FVI_BDF2_TAPS];
-    const size_t taps = fvi_cq_bdf2_factor(beta, g);
-    for (size_t n = count; n-- > 0;) {
-        double sum = 0;
-        for (size_t j = 0; j < taps && j <= n; j++)
-            sum += g[j] * w[n - j];
-        w[n] = sum;
-    }
-}
-
 /* Compute the coefficients of (delta(z)/h)^{2 alpha} (1 - z)^{-increments}. */
 static void power(double alpha, fvi_delta kind, double h, int increments,
                   size_t count, double *w)
@@ -99,7 +86,7 @@ static void power(double alpha, fvi_delta kind, double h, int increments,
     else
         fvi_gl_weights(nu, count, w);
     if (kind == FVI_DELTA_BDF2)
-        times_bdf2(2 * alpha, count, w);
+        fvi_multiply_by_bdf2_factor(2 * alpha, count, w);
     const double scale = pow(h, -2 * alpha);
     for (size_t n = 0; n < count; n++)
         w[n] *= scale;

@@ -144,6 +144,21 @@ static void make_rule(fvi_impulses_of_kernel *o, size_t first)
     }
 }
 
+size_t fvi_inverse_nodes(const fvi_impulses_of_kernel *o, double t, double complex *s, double complex *weight)
+{
+    fvi_parabola rule;
+    fvi_parabola_make(t, &rule);
+    for (size_t j = 0; j < NODES; j++) {
+        s[j] = rule.s[j];
+        weight[j] = rule.weight[j] * o->symbol(o->of, rule.s[j]);
+    }
+    for (size_t i = 0; i < o->poles; i++) {
+        s[NODES + i] = o->pole[i].s;
+        weight[NODES + i] = 2 * o->pole[i].residue * fvi_parabola_left_out(&rule, o->pole[i].s, NULL);
+    }
+    return NODES + o->poles;
+}
+
 /* Compute the powers e^{s k h}. If k is the last k plus 1, one product is enough. Otherwise the products begin at the
  * last multiple of EXACT, so that the powers depend on k only. */
 static void set_powers(fvi_impulses_of_kernel *o, size_t k, int is_next)

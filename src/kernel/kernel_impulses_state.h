@@ -37,6 +37,10 @@ struct fvi_impulses_of_kernel {
         step[NODES + MOST_POLES], power[NODES + MOST_POLES]; /* e^{s h} and e^{s k h} */
 };
 
+/* fvi_inverse_nodes -- Compute the inverse transform of C(s) for the times from t to SPAN t: it is the real part of the
+ * sum of weight_j e^{s_j t} over the nodes of the parabola, followed by the poles off the cut. Return their number. */
+size_t fvi_inverse_nodes(const fvi_impulses_of_kernel *o, double t, double complex *s, double complex *weight);
+
 /* fvi_stage_moments -- Compute int_0^1 l_i(u) e^{zu} du for all stages i, |z| < 50. */
 void fvi_stage_moments(const fvi_impulses_of_kernel *o, double complex z,
                        double complex *w);

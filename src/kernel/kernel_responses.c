@@ -13,22 +13,6 @@ typedef struct {
     double complex s[NODES + MOST_POLES], weight[NODES + MOST_POLES];
 } inverse;
 
-/* Compute the nodes and weights for the times from t to SPAN t. */
-static void make_inverse(const fvi_impulses_of_kernel *law, double t, inverse *to)
-{
-    fvi_parabola rule;
-    fvi_parabola_make(t, &rule);
-    to->count = NODES;
-    for (size_t j = 0; j < NODES; j++) {
-        to->s[j] = rule.s[j];
-        to->weight[j] = rule.weight[j] * law->symbol(law->of, rule.s[j]);
-    }
-    for (size_t i = 0; i < law->poles; i++, to->count++) {
-        const double complex s = to->s[to->count] = law->pole[i].s;
-        to->weight[to->count] = 2 * law->pole[i].residue * fvi_parabola_left_out(&rule, s, NULL);
-    }
-}
-
 static void evaluate(const inverse *of, double t, double *response)
 {
     memset(response, 0, FVI_KERNEL_RESPONSES * sizeof *response);
@@ -61,7 +45,7 @@ int fvi_kernel_responses(const fvi_kernel *law, double h, size_t count, double *
         return status;
     for (size_t k = 1, last = 0; k <= count; k++, response += FVI_KERNEL_RESPONSES) {
         if (k > last) {
-            make_inverse(o, (double)k * h, &now);
+            now.count = fvi_inverse_nodes(o, (double)k * h, now.s, now.weight);
             last = SPAN * k;
         }
         evaluate(&now, (double)k * h, response);

@@ -1,19 +1,11 @@
 /* src/kernel/kernel_stage_impulses.c -- Compute the impulses of a kernel at the stages of a step.  [H 26] */
 #include "kernel_impulses_state.h"
 
+#include "system/lagrange_polynomial.h"
+
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <string.h>
-
-/* Return the Lagrange polynomial l_i(u) of the n stages. */
-static double lagrange(const fvi_impulses_of_kernel *o, size_t i, double u)
-{
-    double l = 1;
-    for (size_t m = 0; m < o->n; m++)
-        if (m != i)
-            l *= (u - o->c[m]) / (o->c[i] - o->c[m]);
-    return l;
-}
 
 /* Return point q of the Gauss-Legendre rule with n nodes on [0, 1], and write its weight to *weight. */
 static double gauss(int n, int q, double *weight)
@@ -60,28 +52,17 @@ void fvi_stage_moments(const fvi_impulses_of_kernel *o, double complex z,
         const double u = rule->u[q];
         const double complex grown = cexp(z * u);
         for (size_t i = 0; i < o->n; i++)
-            w[i] += rule->part[q] * lagrange(o, i, u) * grown;
+            w[i] += rule->part[q] * fvi_lagrange_polynomial(o->n, o->c, i, u) * grown;
     }
 }
 
 /* ---- step 0 ---- */
 
-/* Compute the nodes for the times from t to SPAN t, and C(s)/s^2 at the nodes and at the poles. Return their number. */
+/* Compute the same nodes as fvi_inverse_nodes with the weights of C(s)/s^2. */
 static size_t nodes_of(const fvi_impulses_of_kernel *o, double t, double complex *s,
                        double complex *weight)
 {
-    fvi_parabola rule;
-    size_t count = 0;
-    fvi_parabola_make(t, &rule);
-    for (int j = 0; j < NODES; j++, count++) {
-        s[count] = rule.s[j];
-        weight[count] = rule.weight[j] * o->symbol(o->of, rule.s[j]);
-    }
-    for (size_t i = 0; i < o->poles; i++, count++) {
-        s[count] = o->pole[i].s;
-        weight[count] = 2 * o->pole[i].residue
-                        * fvi_parabola_left_out(&rule, s[count], NULL);
-    }
+    const size_t count = fvi_inverse_nodes(o, t, s, weight);
     for (size_t j = 0; j < count; j++)
         weight[j] /= s[j] * s[j];
     return count;
@@ -99,7 +80,7 @@ static void add_piece(fvi_impulses_of_kernel *o, double a)
         for (size_t j = 0; j < count; j++)
             value += creal(weight[j] * cexp(s[j] * (u * o->h)));
         for (size_t i = 0; i < o->n; i++)
-            o->start[i] += o->h * a * part * lagrange(o, i, u) * value;
+            o->start[i] += o->h * a * part * fvi_lagrange_polynomial(o->n, o->c, i, u) * value;
     }
 }
 

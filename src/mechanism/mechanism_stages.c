@@ -9,6 +9,8 @@
  * unknown. (29.7), (29.8) */
 #include "mechanism_state.h"
 
+#include "system/lagrange_polynomial.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -27,7 +29,7 @@ void fvi_mechanism_tables(fvi_mechanism_state *o)
             o->E[i][j] = r->D[i][j] + corner;
             o->T[i][j] =
                 is_m ? r->b[j] * r->D[j][i] : -r->b[i] * (r->D[i][j] + corner);
-            o->next[i][j] = fvi_lobatto_polynomial(r, o->s, j, 1 + r->c[i]);
+            o->next[i][j] = fvi_lagrange_polynomial(o->s, r->c, j, 1 + r->c[i]);
         }
 }
 //< tables

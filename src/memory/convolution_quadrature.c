@@ -2,6 +2,7 @@
 #include <fvi/convolution_quadrature.h>
 
 #include <fvi/coefficients.h>
+#include "history_kinds.h"
 #include "system/fail.h"
 
 #include <math.h>
@@ -22,13 +23,11 @@ size_t fvi_cq_bdf2_factor(double beta, double g[FVI_BDF2_TAPS])
 }
 //< factor
 
-/* Weights of delta = (1 - z) (3 - z) / 2. The loop runs from the last weight to the first, because w_n must be read
- * before it is overwritten. */
-static void bdf2_weights(double beta, size_t count, double *w)
+/* The loop runs from the last coefficient to the first, because w_n must be read before it is overwritten. */
+void fvi_multiply_by_bdf2_factor(double beta, size_t count, double *w)
 {
     double g[FVI_BDF2_TAPS];
     const size_t taps = fvi_cq_bdf2_factor(beta, g);
-    fvi_gl_weights(beta, count, w);
     for (size_t n = count; n-- > 0;) {
         double sum = 0;
         for (size_t j = 0; j < taps && j <= n; j++)
@@ -74,13 +73,13 @@ int fvi_cq_weights(fvi_delta kind, double beta, size_t count,
         FVI_FAIL("unknown quadrature", FVI_EINVAL);
     if (!(beta >= 0 && (kind == FVI_DELTA_L1 ? beta < 1 : beta <= 2)))
         FVI_FAIL("beta is out of range", FVI_EDOM);
-    if (kind == FVI_DELTA_EULER)
-        fvi_gl_weights(beta, count, w);
-    else if (kind == FVI_DELTA_BDF2)
-        bdf2_weights(beta, count, w);
-    else if (kind == FVI_DELTA_TRAPEZOID)
+    if (kind == FVI_DELTA_TRAPEZOID)
         trapezoid_weights(beta, count, w);
-    else
+    else if (kind == FVI_DELTA_L1)
         l1_weights(beta, count, w);
+    else
+        fvi_gl_weights(beta, count, w);
+    if (kind == FVI_DELTA_BDF2) /* delta = (1 - z) (3 - z) / 2 */
+        fvi_multiply_by_bdf2_factor(beta, count, w);
     return FVI_SUCCESS;
 }

@@ -70,6 +70,10 @@ static inline void fvi_history_take(fvi_history_head *m, const double *term, dou
 size_t fvi_history_piece(size_t bytes, size_t n);
 void *fvi_history_make(fvi_history_head of);
 
+/* fvi_multiply_by_bdf2_factor -- Multiply a power series with the coefficients w_0, ..., w_{count-1} by
+ * ((3 - z)/2)^beta, 0 <= beta <= 2 (convolution_quadrature.c). [(13.11)] */
+void fvi_multiply_by_bdf2_factor(double beta, size_t count, double *w);
+
 /* ---- the direct sum (history_direct.c) ---- */
 
 size_t fvi_history_direct_bytes(size_t d, size_t steps);

@@ -2,6 +2,7 @@
 #include <fvi/past.h>
 
 #include "system/digamma.h"
+#include "system/lagrange_polynomial.h"
 #include "system/vectors.h"
 
 #include <gsl/gsl_machine.h>
@@ -90,16 +91,6 @@ static void prepare_basis(const double *c, fvi_kernel_impulse *table)
         }
 }
 
-/* Return l_i(0). For alpha = 1 the initial-history force is one impulse at t = 0. */
-static double lagrange_at_zero(size_t n, const double *c, size_t i)
-{
-    double value = 1;
-    for (size_t j = 0; j < n; j++)
-        if (j != i)
-            value *= -c[j] / (c[i] - c[j]);
-    return value;
-}
-
 /* Return the ratio of int_0^1 s^e P_degree(2 s - 1) ds to the same integral with degree - 1. */
 static double part_of_lower(double e, size_t degree)
 {
@@ -144,8 +135,8 @@ void fvi_kernel_impulse_prepare(double alpha, size_t n, const double *c,
                 moment *= part_of_lower(e, degree);
             table->first[i] += table->basis[degree][i] * moment;
         }
-        if (table->size == 0)
-            table->first[i] = lagrange_at_zero(n, c, i);
+        if (table->size == 0) /* for alpha = 1 the initial-history force is one impulse at t = 0 */
+            table->first[i] = fvi_lagrange_polynomial(n, c, i, 0);
     }
 }
 

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-const fvi_damping *fvi_damping_of(const fvi_stepper *s)
+fvi_damping *fvi_damping_of(const fvi_stepper *s)
 {
     const fvi_cq_state *o = s->method_state;
     return s->method->paper_convention ? s->method_state : o->damping;
@@ -16,10 +16,8 @@ const fvi_damping *fvi_damping_of(const fvi_stepper *s)
 
 int fvi_damping_move_origin(fvi_stepper *s, const double *by)
 {
-    const fvi_cq_state *o = s->method_state;
-    fvi_damping *d = s->method->paper_convention ? s->method_state : o->damping;
     int status = FVI_SUCCESS;
-    for (; !status && d; d = d->next) {
+    for (fvi_damping *d = fvi_damping_of(s); !status && d; d = d->next) {
         double *moved = calloc(d->count + s->run.system->d, sizeof *moved);
         if (!moved)
             FVI_FAIL("no memory for the damping", FVI_ENOMEM);
@@ -106,7 +104,6 @@ int fvi_cq_copy(const fvi_stepper *from, fvi_stepper *to)
     fvi_cq_state *o = make_state(to);
     if (!o)
         FVI_FAIL("no memory for the method", FVI_ENOMEM);
-    o->kappa = old->kappa;
     int status = fvi_damping_copy(old->damping, &o->damping);
     if (!status)
         status = make_dampers(o);
@@ -141,7 +138,7 @@ static double present_weight(const fvi_cq_damper *o)
 
 /* Allocate the solver of (m M + sum_j c_j C_j) d + s K (x + (1 - kappa) d) = r. A damper without a history has c_j =
  * 0. */
-static int matrix_solver(fvi_stepper *s, const fvi_cq_state *o)
+static int matrix_solver(fvi_stepper *s, const fvi_cq_state *o, double kappa)
 {
     const fvi_run *run = &s->run;
     const size_t count = fvi_run_damper_count(run);
@@ -154,7 +151,7 @@ static int matrix_solver(fvi_stepper *s, const fvi_cq_state *o)
             i++;
         }
     const int status = fvi_newton_matrices_alloc(
-        run->system, 1 / run->h, c, o->kappa * run->h, 1 - o->kappa, &s->newton);
+        run->system, 1 / run->h, c, kappa * run->h, 1 - kappa, &s->newton);
     free(c);
     return status;
 }
@@ -163,8 +160,9 @@ static int matrix_solver(fvi_stepper *s, const fvi_cq_state *o)
 static int solver(fvi_stepper *s, const fvi_cq_state *o)
 {
     const fvi_run *run = &s->run;
+    const double kappa = s->method->takes_kappa ? run->kappa : 0.5;
     if (run->system->matrices)
-        return matrix_solver(s, o);
+        return matrix_solver(s, o, kappa);
     for (size_t i = 0; i < run->system->d; i++)
         o->r[i] = run->system->mass[i] / run->h;
     for (size_t j = 0; j < o->count; j++) {
@@ -172,8 +170,7 @@ static int solver(fvi_stepper *s, const fvi_cq_state *o)
         for (size_t i = 0; i < d->count; i++)
             o->r[d->index[i]] += present_weight(o->each + j) * d->factor[i];
     }
-    return fvi_newton_alloc(run->system, o->r, o->kappa * run->h, 1 - o->kappa,
-                            &s->newton);
+    return fvi_newton_alloc(run->system, o->r, kappa * run->h, 1 - kappa, &s->newton);
 }
 
 /* Compute the factor (13.16), a mean of the last two terms. It shifts D^{2 alpha} to half a step earlier. Euler's
@@ -190,7 +187,6 @@ static size_t has_two_taps(double alpha, double *g)
 static void choose_scheme(fvi_scheme scheme, fvi_cq_damper *o)
 {
     const fvi_run_damper *of = &o->damping->of;
-    o->increments = o->damping->sums_increments;
     if (scheme == FVI_SCHEME_CQ2_SHIFTED)
         o->theta = of->growth / 2;
     if (scheme == FVI_SCHEME_CQ_BDF2 && of->alpha > 0)
@@ -216,16 +212,10 @@ int fvi_cq_start(fvi_stepper *s)
     fvi_cq_state *o = make_state(s);
     if (!o)
         FVI_FAIL("no memory for the method", FVI_ENOMEM);
-    o->kappa = s->method->takes_kappa ? s->run.kappa : 0.5;
     int status = fvi_damping_start(s, 1, &o->damping); /* D_0 = 0 */
     if (!status)
         status = make_dampers(o);
     for (size_t j = 0; !status && j < o->count; j++)
         status = start_damper(s, o->each + j);
     return status ? status : solver(s, o);
-}
-
-int fvi_cq_keep_dampers(fvi_stepper *s)
-{
-    return fvi_damping_keep_sums(((fvi_cq_state *)s->method_state)->damping);
 }

@@ -18,14 +18,14 @@ typedef struct {
     double *ahead;           /* H of the next step if x_{k+1} = x_k */
     double g[FVI_BDF2_TAPS]; /* factor of the weights (13.11), (13.16) */
     size_t taps, place;      /* taps: length of g, 0 if there is no factor; place: newest row in `past` */
-    int increments;          /* nonzero if the history sums increments; then `past` holds increments */
-    double *past;            /* a ring of the last `taps` terms, stored twice; the newest term is row `place` */
+    /* a ring of the last `taps` terms of the history (increments if it sums increments), stored twice; the newest term
+     * is row `place` */
+    double *past;
     fvi_initial_history_force history_force;
     double impulse[2]; /* the impulses of the initial history at the two ends of the step (19.5) */
 } fvi_cq_damper;
 
 typedef struct {
-    double kappa;
     double *r;            /* right-hand side of the step, d numbers */
     fvi_damping *damping; /* the first history; NULL if nothing is damped */
     size_t count;         /* number of dampers with a history */
@@ -38,11 +38,10 @@ static inline double fvi_cq_first_weight(const fvi_cq_damper *o)
     return o->taps ? o->g[0] : 1;
 }
 
-/* The members start, copy, serialize, stop and keep_dampers of the methods of order 2 (fvi_method). */
+/* The members start, copy, serialize and stop of the methods of order 2 (fvi_method). */
 int fvi_cq_start(fvi_stepper *s);
 int fvi_cq_copy(const fvi_stepper *from, fvi_stepper *to);
 int fvi_cq_serialize(fvi_stepper *s, fvi_archive *v);
 void fvi_cq_stop(fvi_stepper *s);
-int fvi_cq_keep_dampers(fvi_stepper *s);
 
 #endif

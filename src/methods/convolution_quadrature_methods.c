@@ -68,7 +68,7 @@ static int update_history(fvi_stepper *s, fvi_cq_damper *o)
     int status = fvi_damping_set_terms(d, s);
     if (status)
         return status;
-    apply_factor(o, d->count, o->increments ? d->dz : d->z);
+    apply_factor(o, d->count, d->sums_increments ? d->dz : d->z);
     return fvi_damping_update_history(d, o->H);
 }
 
@@ -94,7 +94,7 @@ static int predict_history(const fvi_stepper *s, const fvi_cq_damper *o)
 #pragma omp simd
     for (size_t j = 0; j < d->count; j++)
         o->ahead[j] -= first * d->drift[j];
-    if (o->taps && o->increments) { /* g_1 times the last increment */
+    if (o->taps && d->sums_increments) { /* g_1 times the last increment */
         const double *last = o->past + o->place * d->count;
 #pragma omp simd
         for (size_t j = 0; j < d->count; j++)
@@ -188,7 +188,7 @@ static int start_stable(fvi_stepper *s)
     .order = "2", .lowest = 2, .highest = 2, .memory = "full", .alpha_most = 1, .memories = FVI_ALL_MEMORIES,   \
     .takes_laws = 1, .takes_matrices = 1, .implicit = 1, .stability_number_grows = 1, .step = step_second_order, \
     .copy = fvi_cq_copy, .serialize = fvi_cq_serialize, .damper = fvi_damping_sums,                             \
-    .keep_dampers = fvi_cq_keep_dampers, .stop = fvi_cq_stop
+    .keep_dampers = fvi_damping_keep_sums, .stop = fvi_cq_stop
 
 const fvi_method fvi_cq2_shifted = { .name = "fvi-shifted",
                                      .scheme = FVI_SCHEME_CQ2_SHIFTED,

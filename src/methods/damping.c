@@ -103,16 +103,8 @@ int fvi_damping_gather(const fvi_damping *d, const double *x,
 
 int fvi_damping_set_terms(fvi_damping *d, const fvi_stepper *s)
 {
-    if (!d->covers_all) {
-        int status = fvi_damping_gather(d, s->x, d->origin, d->z);
-        return status || !d->sums_increments
-                   ? status
-                   : fvi_damping_gather(d, s->dx, d->drift, d->dz);
-    }
-    subtract(d->count, s->x, d->origin, d->z);
-    if (d->sums_increments)
-        subtract(d->count, s->dx, d->drift, d->dz);
-    return FVI_SUCCESS;
+    const int status = fvi_damping_gather(d, s->x, d->origin, d->z);
+    return status || !d->sums_increments ? status : fvi_damping_gather(d, s->dx, d->drift, d->dz);
 }
 
 int fvi_damping_update_history(fvi_damping *d, double *H)

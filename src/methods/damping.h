@@ -43,8 +43,8 @@ int fvi_damping_begin_matrices(const fvi_stepper *s, fvi_initial_history past,
 int fvi_damping_gather(const fvi_damping *damping, const double *x,
                        const double *from, double *z);
 
-/* fvi_damping_set_terms -- Compute z from the position s->x, and dz from its increment s->dx. With matrices or undamped
- * coordinates, dz is computed only if the history sums increments. Return the codes of fvi_damping_gather. */
+/* fvi_damping_set_terms -- Compute z from the position s->x and, if the history sums increments, dz from its increment
+ * s->dx. Return the codes of fvi_damping_gather. */
 int fvi_damping_set_terms(fvi_damping *damping, const fvi_stepper *s);
 
 /* fvi_damping_update_history -- Push z and dz, and write the sums to H, count numbers. Return the code of
@@ -68,9 +68,9 @@ int fvi_damping_apply_force(const fvi_damping *damping, double share, const doub
  * the part that was allocated, so the caller must free it in any case. */
 int fvi_damping_start(const fvi_stepper *s, int is_caputo, fvi_damping **damping);
 
-/* fvi_damping_keep_sums -- Start to sum the impulses and the work of all dampers, at k = 0. Return
- * FVI_SUCCESS or FVI_ENOMEM. */
-int fvi_damping_keep_sums(fvi_damping *damping);
+/* fvi_damping_keep_sums -- Start to sum the impulses and the work of all dampers, at k = 0. The function is the member
+ * `keep_dampers` of a method. Return FVI_SUCCESS or FVI_ENOMEM. */
+int fvi_damping_keep_sums(fvi_stepper *s);
 
 /* fvi_damping_note_momentum -- Note p before the damper acts on it.
  * fvi_damping_add_impulse -- Add the change of p since then to the impulse of the damper in this step.
@@ -110,7 +110,7 @@ void fvi_damping_impulse(const fvi_damper *damper, size_t d, const double *sum,
 
 /* fvi_damping_of -- Return the first damper of a stepper of Algorithm 3 or of a method of order 2, or
  * NULL if nothing is damped. */
-const fvi_damping *fvi_damping_of(const fvi_stepper *s);
+fvi_damping *fvi_damping_of(const fvi_stepper *s);
 
 /* fvi_damping_move_origin -- Add `by`, d numbers, to the origins of all dampers of a stepper. Then s->x may jump by the
  * same numbers, and no history sees the jump. The stepper has at least one damper. Return FVI_SUCCESS; FVI_ENOMEM; or

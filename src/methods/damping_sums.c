@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-int fvi_damping_keep_sums(fvi_damping *damping)
+int fvi_damping_keep_sums(fvi_stepper *s)
 {
-    for (fvi_damping *d = damping; d; d = d->next) {
+    for (fvi_damping *d = fvi_damping_of(s); d; d = d->next) {
         free(d->impulse_sums);
         d->work = 0;
         d->impulse_sums = calloc(3 * d->system->d, sizeof *d->impulse_sums);

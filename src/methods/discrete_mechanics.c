@@ -2,6 +2,7 @@
 #include <fvi/discrete_mechanics.h>
 
 #include "stability_number.h"
+#include "stability/stability_share.h"
 #include "system/fail.h"
 #include "system/system_check.h"
 #include "newton/newton.h"
@@ -222,7 +223,7 @@ static int step_euler_implicit(fvi_stepper *s)
 }
 
 const fvi_method fvi_euler_explicit = { .name = "euler-explicit",
-                                        .stability_number = fvi_stability_number_explicit,
+                                        .stability_number = fvi_stability_explicit,
                                         .step = step_euler_explicit,
                                         WITH_A_DASHPOT };
 const fvi_method fvi_euler_implicit = { .name = "euler-implicit",

@@ -47,11 +47,6 @@ static int serialize_fractional(fvi_stepper *s, fvi_archive *archive)
     return fvi_damping_archive(s->method_state, s->k, archive);
 }
 
-static int keep_damper_sums(fvi_stepper *s)
-{
-    return fvi_damping_keep_sums(s->method_state);
-}
-
 /* ---- a step of any system ---- */
 
 //> apply-damping
@@ -222,5 +217,5 @@ const fvi_method fvi_fractional = { .name = "fvi",
                                     .copy = copy_fractional,
                                     .serialize = serialize_fractional,
                                     .damper = fvi_damping_sums,
-                                    .keep_dampers = keep_damper_sums,
+                                    .keep_dampers = fvi_damping_keep_sums,
                                     .stop = stop_fractional };

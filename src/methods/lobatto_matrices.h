@@ -66,7 +66,7 @@ typedef struct {
 /* fvi_lobatto_matrices_start -- Start a run with `stages` stages. It is the member `start` of a method. s->method
  * becomes a copy of the method with these steps. Return the codes of fvi_stepper_start; FVI_EUNSUP if the matrices have
  * no complex factors or no product with M. */
-int fvi_lobatto_matrices_start(fvi_stepper *s, size_t stages, int damped);
+int fvi_lobatto_matrices_start(fvi_stepper *s, size_t stages);
 
 /* fvi_lobatto_matrices_of -- Return the state of a stepper that takes these steps, with V and the forces of the dampers
  * of the last step computed. Return NULL for any other stepper. */

@@ -72,10 +72,9 @@ static int make_state(fvi_stepper *s, size_t stages)
     return FVI_SUCCESS;
 }
 
-int fvi_lobatto_matrices_start(fvi_stepper *s, size_t stages, int damped)
+int fvi_lobatto_matrices_start(fvi_stepper *s, size_t stages)
 {
     const fvi_matrices *m = s->run.system->matrices;
-    (void)damped;
     if (!m->factorise_complex || !m->solve_complex || !m->free_complex_factors || !m->inertia)
         return fvi_fail(s->error, FVI_EUNSUP, "matrices", NAN,
                         "these matrices have no complex factors, or no product with M, which "

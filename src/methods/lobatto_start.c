@@ -1,5 +1,6 @@
 /* src/methods/lobatto_start.c -- Start the variational integrators on Lobatto nodes.    [H 17] */
 #include <fvi/lobatto.h> /* which exports the methods */
+#include <fvi/stability.h>
 
 #include "mechanism/mechanism.h"
 #include "stability_number.h"
@@ -172,7 +173,7 @@ static void find_damped(const fvi_stepper *s, fvi_lobatto_stages *o)
 static int start(fvi_stepper *s, size_t stages, int damped)
 {
     if (s->run.system->matrices)
-        return fvi_lobatto_matrices_start(s, stages, damped);
+        return fvi_lobatto_matrices_start(s, stages);
     if (fvi_has_mechanism_steps(s->run.system))
         return fvi_mechanism_start(
             s, damped ? FVI_MECHANISM_FORM_D : FVI_MECHANISM_FORM_M, stages);
@@ -257,7 +258,12 @@ static int serialize_lobatto(fvi_stepper *s, fvi_archive *v)
         .stop = stop_lobatto                                                   \
     }
 
-#define FORM_M(s, orders) BOTH(s, orders, m##s, s, 0, s > 2, fvi_stability_number_lobatto##s)
+#define FORM_M(s, orders)                                                              \
+    static int stability_number_##s(const fvi_run *run, double *load)                  \
+    {                                                                                  \
+        return fvi_stability_lobatto(s, run, load); /* (17.18) */                      \
+    }                                                                                  \
+    BOTH(s, orders, m##s, s, 0, s > 2, stability_number_##s)
 #define FORM_D(s, orders) BOTH(s, orders, d##s, s##d, 1, 1, fvi_stability_number_none)
 
 FORM_M(2, "2");

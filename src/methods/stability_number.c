@@ -87,11 +87,6 @@ int fvi_stability_number_bdf2(const fvi_run *run, double *load)
     return fvi_stability_share(pow(4, run->alpha) * symbol_of_law(run, 4), run, load);
 }
 
-int fvi_stability_number_explicit(const fvi_run *run, double *load)
-{
-    return fvi_stability_explicit(run, load);
-}
-
 int fvi_stability_number_none(const fvi_run *run, double *load)
 {
     fvi_run half = *run; /* the method does not use kappa */
@@ -100,16 +95,3 @@ int fvi_stability_number_none(const fvi_run *run, double *load)
         return find_number_of_dampers(&half, no_damping, 2, load);
     return fvi_stability_share(0, &half, load);
 }
-
-#define OF_STAGES(s)                                                           \
-    int fvi_stability_number_lobatto##s(const fvi_run *run, double *load)                  \
-    {                                                                          \
-        return fvi_stability_lobatto(s, run, load);                            \
-    }
-OF_STAGES(2)
-OF_STAGES(3)
-OF_STAGES(4)
-OF_STAGES(5)
-OF_STAGES(6)
-OF_STAGES(7)
-OF_STAGES(8)

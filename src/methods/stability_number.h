@@ -18,18 +18,6 @@ int fvi_stability_number_backward(const fvi_run *run, double *load);
 int fvi_stability_number_shifted(const fvi_run *run, double *load);
 int fvi_stability_number_bdf2(const fvi_run *run, double *load);
 
-/* (14.8), for Euler's explicit method. */
-int fvi_stability_number_explicit(const fvi_run *run, double *load);
-
-/* (17.18), for Lobatto methods of 2 to 8 stages. */
-int fvi_stability_number_lobatto2(const fvi_run *run, double *load);
-int fvi_stability_number_lobatto3(const fvi_run *run, double *load);
-int fvi_stability_number_lobatto4(const fvi_run *run, double *load);
-int fvi_stability_number_lobatto5(const fvi_run *run, double *load);
-int fvi_stability_number_lobatto6(const fvi_run *run, double *load);
-int fvi_stability_number_lobatto7(const fvi_run *run, double *load);
-int fvi_stability_number_lobatto8(const fvi_run *run, double *load);
-
 /* The load is 0, because every step is stable: (13.17), (17.28), and Euler's implicit method. */
 int fvi_stability_number_none(const fvi_run *run, double *load);
 

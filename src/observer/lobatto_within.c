@@ -7,6 +7,7 @@
 #include "mechanism/mechanism_state.h"
 #include "methods/lobatto_matrices.h"
 #include "methods/lobatto_stages.h"
+#include "system/lagrange_polynomial.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -30,7 +31,7 @@ static double stage_weight(const fvi_lobatto_rule *rule, size_t count, size_t i,
                            int slope)
 {
     return slope ? slope_of_polynomial(rule, count, i, theta) / h
-                 : fvi_lobatto_polynomial(rule, count, i, theta);
+                 : fvi_lagrange_polynomial(count, rule->c, i, theta);
 }
 
 /* Write x_{k+1} + sum_i l_i(theta) (X_i - X_s), which at theta = 1 is x_{k+1} to the bit; with `slope` its derivative

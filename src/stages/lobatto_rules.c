@@ -1,6 +1,8 @@
 /* src/stages/lobatto_rules.c -- The Lobatto rules of 2 to 8 nodes.   [H 17] */
 #include "lobatto_weights.h"
 
+#include "system/lagrange_polynomial.h"
+
 #include <math.h>
 
 #define R 2.23606797749978969641 /* sqrt(5) */
@@ -109,16 +111,6 @@ const fvi_lobatto_rule *fvi_lobatto(size_t s)
     return s >= 2 && s <= FVI_STAGES ? &rules[s - 2] : NULL;
 }
 
-double fvi_lobatto_polynomial(const fvi_lobatto_rule *r, size_t s, size_t j,
-                              double t)
-{
-    double l = 1;
-    for (size_t m = 0; m < s; m++)
-        if (m != j)
-            l *= (t - r->c[m]) / (r->c[j] - r->c[m]);
-    return l;
-}
-
 /* A of Lobatto IIIC: A_ij is the integral of l_j from 0 to c_i, computed by the rule itself, but the first column is
  * b_1. The change of the first column is compensated by a multiple of w in each row. w is orthogonal to all polynomials
  * of degree s - 2, so A still integrates these polynomials exactly. (17.3) */
@@ -129,8 +121,7 @@ void fvi_lobatto_table(const fvi_lobatto_rule *r, size_t s,
         for (size_t j = 0; j < s; j++) {
             A[i][j] = 0;
             for (size_t k = 0; k < s; k++)
-                A[i][j] +=
-                    r->c[i] * r->b[k] * fvi_lobatto_polynomial(r, s, j, r->c[i] * r->c[k]);
+                A[i][j] += r->c[i] * r->b[k] * fvi_lagrange_polynomial(s, r->c, j, r->c[i] * r->c[k]);
         }
         const double missing = r->b[0] - A[i][0];
         double sign = 1; /* w_j = +-sqrt(b_j / b_1) */

@@ -22,11 +22,6 @@ typedef struct {
 /* fvi_lobatto -- Return the rule of s stages, s = 2, ..., 8, or NULL for another s. */
 const fvi_lobatto_rule *fvi_lobatto(size_t s);
 
-/* fvi_lobatto_polynomial -- Return l_j(t), the polynomial of degree s - 1 that is 1 at node j of the rule and 0 at all
- * other nodes. */
-double fvi_lobatto_polynomial(const fvi_lobatto_rule *r, size_t s, size_t j,
-                              double t);
-
 /* fvi_lobatto_table -- Compute A of Lobatto IIIC with s stages, the inverse of (17.3). */
 void fvi_lobatto_table(const fvi_lobatto_rule *r, size_t s,
                        double A[FVI_STAGES][FVI_STAGES]);

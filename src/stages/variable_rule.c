@@ -53,20 +53,6 @@ FVI_VECTORS static void projectors(const fvi_variable_rule *rule,
     }
 }
 
-void fvi_variable_present(const fvi_variable_rule *rule, double beta,
-                          fvi_square *W)
-{
-    double power_re[FVI_LANES / 2], power_im[FVI_LANES / 2];
-    memset(W, 0, sizeof *W);
-    for (size_t i = 0; beta == 0 && i < rule->s; i++)
-        W->column[i][i] = 1;
-    if (beta == 0)
-        return;
-    fvi_variable_powers(rule, beta, power_re, power_im);
-    projectors(rule, power_re, power_im, W);
-}
-//< present
-
 void fvi_variable_function(const fvi_variable_rule *rule, const double *re,
                            const double *im, fvi_square *W)
 {
@@ -74,11 +60,22 @@ void fvi_variable_function(const fvi_variable_rule *rule, const double *re,
     projectors(rule, re, im, W);
 }
 
+void fvi_variable_present(const fvi_variable_rule *rule, double beta,
+                          fvi_square *W)
+{
+    double power_re[FVI_LANES / 2], power_im[FVI_LANES / 2];
+    fvi_variable_powers(rule, beta, power_re, power_im);
+    fvi_variable_function(rule, power_re, power_im, W);
+    for (size_t l = 0; beta == 0 && l < rule->s; l++) /* A^0 = 1 without rounding errors */
+        for (size_t i = 0; i < rule->s; i++)
+            W->column[l][i] = i == l;
+}
+//< present
+
 void fvi_variable_present_by_order(const fvi_variable_rule *rule, double beta,
                                fvi_square *W)
 {
     double power_re[FVI_LANES / 2], power_im[FVI_LANES / 2];
-    memset(W, 0, sizeof *W);
     fvi_variable_powers(rule, beta, power_re, power_im);
     for (size_t n = 0; n < rule->s / 2; n++) { /* multiply lambda^beta by ln lambda */
         const double re = power_re[n], im = power_im[n],
@@ -86,7 +83,7 @@ void fvi_variable_present_by_order(const fvi_variable_rule *rule, double beta,
         power_re[n] = re * ln - im * angle;
         power_im[n] = re * angle + im * ln;
     }
-    projectors(rule, power_re, power_im, W);
+    fvi_variable_function(rule, power_re, power_im, W);
 }
 
 size_t fvi_variable_apart(size_t every)

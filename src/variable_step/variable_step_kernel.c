@@ -99,7 +99,8 @@ static double fastest_rate(const fvi_variable_step_state *o)
 /* Add the modes from mu = 1e6 in the shortest step down to sigma T = 1e-8. One more mode stands for all rates below,
  * with the same two moments. */
 //> ladder
-static int add_ladder(const fvi_variable_step_state *o, const fvi_variable_step_kernel *k, int rising, fvi_kernel_modes *l)
+static int add_ladder(const fvi_variable_step_state *o, const fvi_variable_step_kernel *k, int rising,
+                      fvi_kernel_modes *l)
 {
     int any;
     const double width = strip_width(k, rising, &any), step = 2 * M_PI * width / 36,
