@@ -179,10 +179,12 @@ static int read_file(request *r, const char *file, fvi_error *c)
     double *columns;
     if (check_names(r, file, c))
         return 2;
-    const int own_weights = r->columns > tests[r->data.test].columns;
+    const int must_be_named = r->columns > tests[r->data.test].columns    ? FVI_NAMES_NEEDED
+                              : r->data.test == FVI_MATERIAL_MODULI ? FVI_FIRST_NAME_CHECKED
+                                                                    : FVI_NAMES_OPTIONAL;
     for (size_t k = 0; k < r->columns; k++)
         names[k] = r->names[k];
-    const int status = fvi_parse_table_columns("DATA", file, r->columns, names, own_weights, &n,
+    const int status = fvi_parse_table_columns("DATA", file, r->columns, names, must_be_named, &n,
                                          &columns, which, c);
     if (status)
         return status;

@@ -104,13 +104,15 @@ int fvi_parse_named_table(const char *field, const char *file,
  * increase.
  *
  *   names    one text for each column: one name, or several names as "omega|w|frequency"
- *   must_be_named  nonzero: a file in which no line names all columns is refused. 0: the first `count` columns of such
- *            a file are read
+ *   must_be_named  FVI_NAMES_NEEDED, 1: a file in which no line names all columns is refused. FVI_NAMES_OPTIONAL, 0:
+ *            the first `count` columns of such a file are read. FVI_FIRST_NAME_CHECKED: they are read, but a line of
+ *            names above the numbers must name the first column; for a column whose unit depends on its name
  *   n        output: the number of rows
  *   columns  output: count columns of n numbers each, column after column in one block; free it with free(*columns)
  *   which    output, count numbers: which of its names each column has in the file, from 0; 0 if the file has no names
  *   */
 enum { FVI_COLUMNS_MOST = 9 };
+enum { FVI_NAMES_OPTIONAL, FVI_NAMES_NEEDED, FVI_FIRST_NAME_CHECKED };
 int fvi_parse_table_columns(const char *field, const char *file, size_t count,
                       const char *const *names, int must_be_named, size_t *n,
                       double **columns, size_t *which, fvi_error *error);

@@ -60,8 +60,8 @@ static const char *read_name(const char *line, const char *between,
     return rest;
 }
 
-/* The columns to be found. names[k] lists the possible names of column k, such as "omega|w". If must_be_named is 0, the
- * first columns are taken from a table without names. If `increases` is nonzero, the first column must increase. */
+/* The columns to be found. names[k] lists the possible names of column k, such as "omega|w". must_be_named is that of
+ * fvi_parse_table_columns. If `increases` is nonzero, the first column must increase. */
 enum { COLUMNS = FVI_COLUMNS_MOST };
 typedef struct {
     size_t count;
@@ -72,9 +72,11 @@ typedef struct {
 /* The columns that were found: for each its number and which of its names it had. `of` is the number of columns in the
  * table. Of a line that does not name all columns, `words` is the number of its words, `astray` the number, from 1, of
  * a wanted column whose name stands in another place than the first columns would have it, and `missing` a wanted
- * column that it does not name; astray is 0 if there is none. */
+ * column that it does not name; astray is 0 if there is none. `others`: nonzero if the line names all wanted columns
+ * but the first. */
 typedef struct {
     unsigned column[COLUMNS], name[COLUMNS], astray, missing;
+    int others;
     size_t of, words;
 } choice;
 
@@ -93,8 +95,8 @@ static int name_of(const char *names, const char *word, size_t length)
 /* Find the columns that a line names if it is separated in this way. `of` is 0 if it does not name all of them. */
 static choice choose_separator_columns(const char *line, const char *between, const column_request *w)
 {
-    choice to = { .of = 0 };
-    int found[COLUMNS] = { 0 }, all = 1;
+    choice to = { .others = 1 };
+    int found[COLUMNS] = { 0 };
     line += strspn(line, "# ");
     if (between == separators[0])
         line += strspn(line, blank);
@@ -115,22 +117,36 @@ static choice choose_separator_columns(const char *line, const char *between, co
     }
     for (size_t k = 0; k < w->count; k++)
         if (!found[k]) {
-            all = 0;
+            to.others &= k == 0;
             to.missing = (unsigned)k;
         }
     to.words = to.of;
-    if (!all)
+    if (!to.others || !found[0])
         to.of = 0;
+    to.others &= !found[0];
     return to;
 }
 
 /* The names in the lines above the rows: the last line of words that names all columns, the last line of words and, for
  * each number of words, the last comment of that many words that names them. A comment may contain t and x among other words, so it counts
- * only if it has as many words as a row has numbers. */
-enum { WORDS = 1000 };
+ * only if it has as many words as a row has numbers. A comment that names all columns but the first counts as a line of
+ * words. `first` is the first word of that line. */
+enum { WORDS = 1000, LETTERS = 60 };
 typedef struct {
     choice heading[SEPARATORS], partial[SEPARATORS], comment[WORDS];
+    char first[SEPARATORS][LETTERS];
 } names_above;
+
+/* Keep a line of words for separator i, with its first word. */
+static void store_partial_names(names_above *above, const char *line, int i, const choice *to)
+{
+    const char *name;
+    size_t length;
+    line += strspn(line, i == 0 ? "# \t" : "# ");
+    read_name(line, separators[i], &name, &length);
+    snprintf(above->first[i], LETTERS, "%.*s", (int)length, name);
+    above->partial[i] = *to;
+}
 
 static void read_names(names_above *above, fvi_rows *r, fvi_rows_kind kind, const column_request *w)
 {
@@ -141,13 +157,24 @@ static void read_names(names_above *above, fvi_rows *r, fvi_rows_kind kind, cons
         named = named || to[i].of;
         if (kind == FVI_ROWS_COMMENT && to[i].of < WORDS)
             above->comment[to[i].of] = to[i];
+        if (kind != FVI_ROWS_COMMENT || to[i].others)
+            store_partial_names(above, r->lines.text, i, &to[i]);
     }
-    if (kind != FVI_ROWS_COMMENT)
-        memcpy(above->partial, to, sizeof to);
     if (kind == FVI_ROWS_COMMENT || !named)
         return;
     memcpy(above->heading, to, sizeof to);
     r->between = to[SEPARATORS - 1].of ? ';' : 0;
+}
+
+/* Find out which name of the first column this is, and refuse another name. */
+static int check_first_name(const char *name, const fvi_rows *r, const column_request *w, choice *to)
+{
+    const int which = name_of(w->names[0], name, strlen(name));
+    if (which < 0)
+        return fvi_refuse(r->error, r->field, "%s: the first column has the name '%s', which is none of %s", r->name,
+                          name, w->names[0]);
+    to->name[0] = (unsigned)which;
+    return 0;
 }
 
 /* Find the columns of a row with r->count numbers. Return 0, or a code with the error filled in. */
@@ -172,7 +199,7 @@ static int choose_columns(const names_above *above, const fvi_rows *r, const col
         *to = above->comment[r->count];
         return 0;
     }
-    if (w->must_be_named)
+    if (w->must_be_named == FVI_NAMES_NEEDED)
         return w->count == 2
                    ? fvi_refuse(r->error, r->field, "%s: no columns %s and %s above its numbers", r->name,
                               w->names[0], w->names[1])
@@ -185,6 +212,8 @@ static int choose_columns(const names_above *above, const fvi_rows *r, const col
             return fvi_refuse(r->error, r->field, "%s: a line names a column '%.*s' and no '%.*s', so the first columns "
                               "are not what is wanted", r->name, (int)strcspn(astray, "|"), astray,
                               (int)strcspn(missing, "|"), missing);
+        if (w->must_be_named == FVI_FIRST_NAME_CHECKED && line->words == r->count)
+            return check_first_name(above->first[i], r, w, to);
     }
     return r->count < w->count ? fvi_rows_refuse(r, r->count, FVI_ROWS_TOO_FEW) : 0;
 }

@@ -118,6 +118,26 @@ END_TEST
 
 /* A plan has the standard deviations of a fit of such data: 1.96 sd are the halves of its
  * intervals, in the logit; (24.3) at the truth is tested elsewhere. */
+/* Without names the first column is omega. If only the first name is known, it says the unit: f is in hertz. A comment
+ * of three words names nothing. */
+START_TEST(the_name_of_the_first_column_says_its_unit)
+{
+    static const char *const heads[] = { "", "omega a b", "# made by me", "f storage loss", "f a b", "Hertz;a;b" };
+    double rho[LEN(heads)], row[4];
+    for (size_t i = 0; i < LEN(heads); i++) {
+        char line[200];
+        snprintf(line, sizeof line, "printf '%s\n1;2;3\n2;3;4\n4;4;5\n8;5;6\n' > unit.tsv", heads[i]);
+        ck_assert_int_eq(shell(line), 0);
+        ck_assert_msg(fvi("fit --moduli --law power unit.tsv") != 2, "%s: %s", heads[i], err);
+        row_of("power1.rho", row);
+        rho[i] = row[0];
+    }
+    ck_assert(rho[1] == rho[0] && rho[2] == rho[0] && rho[4] == rho[3] && rho[5] == rho[3]);
+    row_of("power1.alpha", row);
+    ck_assert_near(rho[3] * pow(2 * M_PI, 2 * row[0]) / rho[0], 1, 1e-6, "hertz"); /* R (2 pi f)^{2A} */
+}
+END_TEST
+
 /* A table whose header names the columns of another test is not taken for numbers without names. */
 START_TEST(a_table_of_another_test_is_refused)
 {
@@ -130,6 +150,11 @@ START_TEST(a_table_of_another_test_is_refused)
         { "t\\tx\\tsd", "--moduli", "has a column t, and no omega, storage and loss" },
         { "", "--creep", "has more than 2 columns, and no names: a line '# t x' would say which are those of --creep" },
         { "", "--relaxation", "has more than 2 columns, and no names: a line '# t f'" },
+        { "temperature\\tstorage\\tloss", "--moduli",
+          "other.tsv: the first column has the name 'temperature', which is none of omega|w|f|frequency|hertz|hz\n" },
+        { "# rpm\\tGp\\tGpp", "--moduli", "the first column has the name 'rpm', which is none of omega|w|f|" },
+        { "frequency [Hz];G 1;G 2", "--moduli", "the first column has the name 'frequency [Hz]', which is none of" },
+        { "rad/s,a,b", "--moduli", "the first column has the name 'rad/s', which is none of" },
     };
     char line[300];
     for (size_t i = 0; i < LEN(other); i++) {
@@ -249,7 +274,8 @@ int main(void)
     free(sources);
     Suite *suite = suite_create("fvi fit --moduli");
     ADD_CASE(suite, "materials", a_rheologist_needs_three_commands,
-             fit_reads_moduli_of_many_kinds, a_table_of_another_test_is_refused, exact_data_have_intervals_without_length,
+             fit_reads_moduli_of_many_kinds, the_name_of_the_first_column_says_its_unit, a_table_of_another_test_is_refused,
+             exact_data_have_intervals_without_length,
              fit_plans_a_test,
              fit_chooses_steps_of_its_own_where_gaps_are_short,
              the_table_of_the_page_is_fitted_as_it_says);
