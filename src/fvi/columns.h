@@ -66,7 +66,8 @@ typedef struct {
  *   columns  output; free it with fvi_typed_columns_free, which allows NULL
  *   error    output or NULL
  *
- * Returns FVI_SUCCESS or FVI_ENOMEM. On error *columns is untouched. */
+ * Returns FVI_SUCCESS; FVI_EINVAL if a damper has the name of an event, such as "event1"; FVI_ENOMEM. On error *columns
+ * is untouched. */
 int fvi_typed_columns_start(const fvi_column_source *source,
                             fvi_typed_columns **columns, fvi_error *error);
 void fvi_typed_columns_free(fvi_typed_columns *columns);

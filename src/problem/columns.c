@@ -2,6 +2,7 @@
 #define _GNU_SOURCE /* for strndup */
 #include "columns_state.h"
 #include "words.h"
+#include "system/fail.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -9,9 +10,28 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Refuse a damper whose name is that of an event, because event1.force would be the force of either. */
+static int check_damper_names(const fvi_column_source *source, fvi_error *error)
+{
+    static const char event[] = "event";
+    const size_t stem = sizeof event - 1;
+    for (size_t j = 0; source->mechanism && j < source->mechanism->damper_count; j++) {
+        const char *name = source->mechanism->damper[j].name;
+        if (name && strncmp(name, event, stem) == 0
+            && fvi_scan_index(name + stem, strlen(name + stem), source->events) < source->events)
+            return fvi_at_index(error, j,
+                                fvi_refuse(error, "damper", "'%s' is the name of an event in columns, as in %s.force: give "
+                                           "the damper another one", name, name));
+    }
+    return FVI_SUCCESS;
+}
+
 int fvi_typed_columns_start(const fvi_column_source *source,
                             fvi_typed_columns **columns, fvi_error *error)
 {
+    const int status = check_damper_names(source, error);
+    if (status)
+        return status;
     fvi_typed_columns *c = calloc(1, sizeof *c);
     if (!c)
         return fvi_no_memory(error, NULL);

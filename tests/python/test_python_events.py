@@ -48,6 +48,16 @@ def test_a_body_rests_and_lifts_off():
     assert np.allclose(s.v, s.p) and np.allclose(s.a[:3], 0, atol=1e-6)
 
 
+def test_a_damper_with_the_name_of_an_event_is_refused():
+    """event1.force would be the force of either. event2 is free if there is one event."""
+    tables = {}
+    for name in ("event1", "event2"):
+        tables[name] = fvi.solve(fvi.Problem(dampers=[f"{name} = x : power:1,0.3"], time=2), events="x + 9 : mark", steps=2)
+    with pytest.raises(ValueError, match="^damper.*: 'event1' is the name of an event in columns, as in event1.force"):
+        tables["event1"].table("t,event1.force")
+    assert list(tables["event2"].table("t,event1.force,event2.force")) == ["t", "event1.force", "event2.force"]
+
+
 @pytest.mark.parametrize("how", [{}, {"error": 1e-8}])
 def test_what_a_surface_does_is_known(how, tmp_path):
     """The columns of events are the program's. The message tells of a body at rest, and not of one that has lifted off."""
