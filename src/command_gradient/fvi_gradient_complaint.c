@@ -61,7 +61,7 @@ int fvi_gradient_complain(fvi_gradient_request *r, int status)
     if (failed) {
         fvi_error error;
         fvi_reason_of_start(&r->o, &r->run, failed, &error);
-        return error.field ? fvi_complain_of(&error) : fvi_complain(fvi_reason_of_code(&r->o, failed));
+        return error.field ? fvi_complain_of(&error) : fvi_complain(fvi_reason_of_code(&r->o, &error));
     }
     if (status == FVI_EOVRFLW)
         return fvi_stopped_at(r->o.steps, status);

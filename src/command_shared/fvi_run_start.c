@@ -61,20 +61,19 @@ void fvi_reason_of_start(const fvi_options *o, const fvi_run *r, int status, fvi
 /* The parser has checked the ranges. So without a field the codes have few causes. FVI_EINVAL: there are too many steps
  * for a compressed memory. FVI_EDOM: m / h is not finite. FVI_EUNSUP: fvi-adaptive does not take the start, or the
  * stages do not take the law. */
-const char *fvi_reason_of_code(const fvi_options *o, int status)
+const char *fvi_reason_of_code(const fvi_options *o, const fvi_error *error)
 {
+    static char of_law[sizeof error->text + 16];
+    const int status = error->code;
+    snprintf(of_law, sizeof of_law, "--damping: %s", error->text);
     return status == FVI_ENOMEM ? "not enough memory"
            : status == FVI_ESING
                ? "--system: the matrix of a step is not positive definite: K is "
                  "negative somewhere, and h too long for it"
            : status == FVI_EINVAL
                ? "--steps: the compressed memory reaches back 10^9 steps at most"
-           : status == FVI_EUNSUP && o->text[DAMPING] && o->method->dense && o->events
-               ? "--damping: a pole of this law is too near to its cut, or off "
-                 "it, for fvi-adaptive; without --event fvi-bdf2 and fvi-stable take it"
            : status == FVI_EUNSUP && o->text[DAMPING] && o->method->dense
-               ? "--damping: a pole of this law is too near to its cut, or off "
-                 "it, for fvi-adaptive; fvi-bdf2 and fvi-stable take it"
+               ? of_law
            : status == FVI_EUNSUP && o->text[DAMPING]
                ? "--damping: the tail of this law is no sum of decaying modes; "
                  "fvi, fvi-bdf2 and fvi-stable take it"
@@ -91,5 +90,5 @@ int fvi_complain_of_start(const fvi_options *o, const fvi_error *error, const ch
     name_option(o, &named);
     return named.field                                       ? fvi_refused(&named, command)
            : named.code == FVI_ESING && !o->directory ? fvi_stopped_at(1, named.code)
-                                                      : fvi_complain(fvi_reason_of_code(o, named.code));
+                                                      : fvi_complain(fvi_reason_of_code(o, &named));
 }

@@ -10,9 +10,10 @@
  * option that sets the error's field; without a field it follows from the code. Return an exit code. */
 int fvi_complain_of_start(const fvi_options *o, const fvi_error *error, const char *command);
 
-/* fvi_reason_of_code -- Return why a run could not begin if the library named no field. The text begins with the option
- * to which the code refers, if it refers to one. */
-const char *fvi_reason_of_code(const fvi_options *o, int status);
+/* fvi_reason_of_code -- Return why a run could not begin if the library named no field, from the code of the error and,
+ * for a law that fvi-adaptive does not take, from its text. The reason begins with the option to which it refers, if it
+ * refers to one. It is valid until the next call. */
+const char *fvi_reason_of_code(const fvi_options *o, const fvi_error *error);
 
 /* fvi_reason_of_start -- Find out why a run or its observer could not begin, given only the status. To find out, both
  * are started once more. The field of the error is the name of an option, or NULL if nothing more is known. */

@@ -213,7 +213,7 @@ static void reason_of_start(const sweep_grid *g, size_t i, int status, size_t si
     if (error.field)
         snprintf(text, size, "--%s: %s", error.field, error.text);
     else if (status == FVI_EUNSUP)
-        snprintf(text, size, "%s", fvi_reason_of_code(&o, status));
+        snprintf(text, size, "%s", fvi_reason_of_code(&o, &error));
     fvi_options_free(&o);
 }
 

@@ -34,6 +34,21 @@ int fvi_kernel_has_general(const fvi_kernel *law)
     return 0;
 }
 
+const char *fvi_kernel_singularity(const fvi_kernel *law)
+{
+    int pole = 0, branch_point = 0;
+    for (size_t i = 0; i < law->count; i++) {
+        const fvi_kernel_term *t = &law->term[i];
+        const int is_pole = !fvi_kernel_is_general(t) /* (s / (1 + T s))^n has a pole for a whole n */
+                            || (t->kind == FVI_KERNEL_DAVIDSON && 2 * t->alpha == floor(2 * t->alpha));
+        pole |= t->rho > 0 && t->time > 0 && is_pole;
+        branch_point |= t->rho > 0 && t->time > 0 && !is_pole;
+        if (t->kind == FVI_KERNEL_SYMBOL)
+            pole = branch_point = 1;
+    }
+    return !branch_point ? "a pole" : !pole ? "a branch point" : "a pole or a branch point";
+}
+
 /* ---- weights ---- */
 
 /* Return C(delta(z)/h), divided by 1 - z if increments = 1. */

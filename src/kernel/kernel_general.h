@@ -17,6 +17,11 @@ int fvi_kernel_is_general(const fvi_kernel_term *t);
  * depend on the number of weights. */
 int fvi_kernel_has_general(const fvi_kernel *law);
 
+/* fvi_kernel_singularity -- Return what the symbol of the law has beside its cut, for a complaint: "a pole", "a branch
+ * point", or "a pole or a branch point". A HAVRILIAK or a DAVIDSON has a branch point, unless it is a fraction; of a
+ * SYMBOL nothing is known. */
+const char *fvi_kernel_singularity(const fvi_kernel *law);
+
 /* fvi_kernel_is_on_cut -- Return 1 if the term is general, has rho > 0, and its modes come from its symbol on the
  * cut. */
 int fvi_kernel_is_on_cut(const fvi_kernel_term *t);

@@ -2,6 +2,7 @@
 #include "variable_mechanism.h"
 #include "variable_step_events.h"
 
+#include "kernel/kernel_general.h"
 #include "system/arrays.h"
 #include "system/fail.h"
 #include "system/larger.h"
@@ -158,11 +159,11 @@ static int begin_law(fvi_stepper *s, const fvi_variable_step_state *o, const fvi
     if (!status)
         status = fvi_variable_step_begin_kernel(o, to->kernel, count, &to->modes, &to->rising);
     return status == FVI_EUNSUP
-               ? refuse(s->error, status, j,
-                        s->run.event_count ? "damper %zu: a pole of this law is too near to its cut, or off it, for "
-                                             "modes of variable steps; without events fvi-stable takes it"
-                                           : "damper %zu: a pole of this law is too near to its cut, or off it, for "
-                                             "modes of variable steps; fvi-stable takes it")
+               ? fvi_at_index(s->error, j, fvi_fail(s->error, status, "damper", (double)j + 1,
+                                                    "damper %zu: %s of this law is too near to its cut, or off it, for "
+                                                    "modes of variable steps; %sfvi-stable takes it", j + 1,
+                                                    fvi_kernel_singularity(kernel),
+                                                    s->run.event_count ? "without events " : ""))
                : status;
 }
 

@@ -250,8 +250,8 @@ int fvi_variable_step_begin_kernel(const fvi_variable_step_state *o, const fvi_v
     free(slow.rate);
     free(fast.rate);
     if (none)
-        FVI_FAIL("law: a pole of this law is too near to its cut, or off it, for modes of variable steps; fvi-bdf2 "
-                 "and fvi-stable take it", FVI_EUNSUP);
+        FVI_FAIL("law: a pole or a branch point of this law is too near to its cut, or off it, for modes of variable "
+                 "steps; fvi-bdf2 and fvi-stable take it", FVI_EUNSUP);
     return status;
 }
 

@@ -2,6 +2,7 @@
 #include "variable_step_events.h"
 #include "variable_structure.h"
 
+#include "kernel/kernel_general.h"
 #include "system/fail.h"
 #include "system/larger.h"
 #include "system/quadratic.h"
@@ -212,8 +213,8 @@ static int begin_kernel(fvi_stepper *s, fvi_variable_step_state *o)
     const int status = fvi_variable_step_explain_modes(
         s, o, fvi_variable_step_begin_kernel(o, o->kernel, o->damped, &o->modes, &o->rising));
     return status == FVI_EUNSUP
-               ? fvi_fail(s->error, status, NULL, NAN, "a pole of this law is too near to its cut, or off it, for "
-                          "fvi-adaptive; %sfvi-bdf2 and fvi-stable take it",
+               ? fvi_fail(s->error, status, NULL, NAN, "%s of this law is too near to its cut, or off it, for "
+                          "fvi-adaptive; %sfvi-bdf2 and fvi-stable take it", fvi_kernel_singularity(s->run.law),
                           s->run.event_count ? "without events " : "")
                : status;
 }

@@ -197,6 +197,22 @@ START_TEST(what_is_no_law_is_bad_use)
     ck_assert_ptr_nonnull(strstr(err, "fvi: with x0 = 1: --damping: a pole of this law is too near"));
     ck_assert_int_eq(fvi("gradient --damping zener:1,0.6,1 --method fvi-adaptive"), 1);
     ck_assert_ptr_nonnull(strstr(err, "fvi: --damping: a pole of this law is too near"));
+    static const char *const singular[][2] = { { "zener:1,0.6,1", "a pole" }, { "maxwell2:1,0.5,2,0.01", "a pole" },
+                                               { "havriliak:1,0.5,1,0.5", "a branch point" },
+                                               { "davidson:1,0.49,2", "a branch point" }, { "davidson:1,0.5,2", "a pole" },
+                                               { "davidson:1,0.49,2 + zener:1,0.3,1", "a pole or a branch point" },
+                                               { "symbol:s^0.6/(1+s)", "a pole or a branch point" } };
+    for (size_t i = 0; i < LEN(singular); i++) {
+        char line[200], said[200];
+        for (int is_damper = 0; is_damper < 2; is_damper++) {
+            snprintf(line, sizeof line, is_damper ? "run --damper 'x : %s' --method fvi-adaptive"
+                                                  : "run --damping '%s' --method fvi-adaptive", singular[i][0]);
+            snprintf(said, sizeof said, "%s: %s%s of this law is too near to its cut", is_damper ? "--damper" : "--damping",
+                     is_damper ? "damper 1: " : "", singular[i][1]);
+            ck_assert_int_ne(fvi(line), 0);
+            ck_assert_msg(strstr(err, said) != NULL, "%s: %s", line, err);
+        }
+    }
     ck_assert_int_eq(fvi("exact --damping power:1,0.3 --derivative rl"), 2);
     ck_assert_ptr_nonnull(strstr(err, "--derivative: 'rl'"));
     ck_assert_int_eq(fvi("exact --damping power:1,0.3 --alpha 0.3"), 2);
