@@ -22,6 +22,14 @@ static int is_davidson(const fvi_stage_term *t)
     return t->unit.term.kind == FVI_KERNEL_DAVIDSON;
 }
 
+/* Return nonzero for a HAVRILIAK that is a power or a ZENER. Its derivatives by the order and by the time are those of
+ * a ZENER, products of histories; if time = 0, that by the time has the factor `end`. */
+static int is_simple_havriliak(const fvi_stage_term *t)
+{
+    const fvi_kernel_term *term = &t->unit.term;
+    return term->kind == FVI_KERNEL_HAVRILIAK && (term->time == 0 || term->end == 1);
+}
+
 /* Write ln(1 + T s) as a sum of Maxwell elements. (23.34) It is the integral of s/(1 + tau s) over tau from 0 to T. The
  * rule of Gauss and Legendre has 12 points below `least`, where |least s| < 1/2 for all s = lambda/h. Above, it has 12
  * points on each piece of ln tau, and no piece is longer than 1. There the pole ln tau = -ln s +- pi i is at least 1.8
@@ -68,17 +76,47 @@ static int start_davidson(const fvi_run *run, const fvi_sensitivities *want, dou
     return status || !t->relaxation ? status : convolve(t, run, keep, &sum, &t->less);
 }
 
+/* Start the history of a derivative that is a kernel of its own, if the term has it. */
+static int start_slope(const fvi_run *run, double keep, fvi_slope_by by, fvi_stage_term *t)
+{
+    if (!fvi_kernel_derivative_of(&t->unit.term, by, &t->slope[by]))
+        return FVI_SUCCESS;
+    t->by[1 + by] = t->slopes[by].now;
+    t->factor[1 + by] = t->slope[by].sign * t->rho;
+    return convolve(t, run, keep, &t->slope[by].kernel, &t->slopes[by]);
+}
+
+/* The derivative of s^{2 alpha} / (1 + time s^{2 alpha})^end by end is -ln(1 + time s^{2 alpha}) times the kernel. It
+ * is 0 for time = 0. For a Maxwell element it has a pole on the cut, and it is a product with the sum of
+ * find_relaxation. */
+static int start_end_of_havriliak(const fvi_run *run, double keep, fvi_stage_term *t)
+{
+    fvi_kernel sum;
+    if (t->unit.term.time == 0)
+        return FVI_SUCCESS;
+    if (t->unit.term.alpha != 0.5)
+        return start_slope(run, keep, FVI_SLOPE_BY_END, t);
+    t->end_is_product = 1;
+    t->by[1 + FVI_SLOPE_BY_END] = t->slopes[FVI_SLOPE_BY_END].now;
+    t->factor[1 + FVI_SLOPE_BY_END] = -t->rho;
+    const int status = find_relaxation(t, &sum);
+    return status ? status : convolve(t, run, keep, &sum, &t->slopes[FVI_SLOPE_BY_END]);
+}
+
+/* Start the histories of the derivatives that are kernels of their own. */
 static int start_slopes(const fvi_run *run, const fvi_sensitivities *want, double keep,
                         fvi_stage_term *t)
 {
     const double *const wanted[] = { want->orders, want->times, want->ends };
     int status = FVI_SUCCESS;
-    for (int by = 0; !status && by < FVI_KERNEL_DERIVATIVES && !is_davidson(t); by++)
-        if (wanted[by] && fvi_kernel_derivative_of(&t->unit.term, (fvi_slope_by)by, &t->slope[by])) {
-            status = convolve(t, run, keep, &t->slope[by].kernel, &t->slopes[by]);
-            t->by[1 + by] = t->slopes[by].now;
-            t->factor[1 + by] = t->slope[by].sign * t->rho;
-        }
+    if (is_simple_havriliak(t))
+        status = want->ends ? start_end_of_havriliak(run, keep, t) : FVI_SUCCESS;
+    for (int by = 0; !status && by < FVI_KERNEL_DERIVATIVES && !is_davidson(t) && !is_simple_havriliak(t); by++)
+        if (wanted[by])
+            status = start_slope(run, keep, (fvi_slope_by)by, t);
+    if (status == FVI_EUNSUP)
+        FVI_FAIL("the derivative of this law by one of its numbers is no sum of decaying modes, which stages need; "
+                 "fvi, fvi-bdf2 and fvi-stable have it", FVI_EUNSUP);
     return status;
 }
 
@@ -106,18 +144,19 @@ static int start_term(const fvi_run *run, const fvi_sensitivities *want, size_t 
     fvi_kernel_unit_term(of, &t->unit, &t->rho);
     const fvi_kernel_term *term = &t->unit.term;
     const fvi_kernel alone = { 1, term };
-    const int by_order = want->orders && (fvi_kernel_is_power_or_zener(term) || is_davidson(t)),
-              by_time = want->times && (fvi_kernel_is_zener_or_maxwell(term) || is_davidson(t));
+    const int is_product = is_simple_havriliak(t),
+              by_order = want->orders && (fvi_kernel_is_power_or_zener(term) || is_davidson(t) || is_product),
+              by_time = want->times && (fvi_kernel_is_zener_or_maxwell(term) || is_davidson(t) || is_product);
     int status = allocate(t);
     t->by[0] = want->terms ? t->self.now : NULL;
     t->factor[0] = 1;
     t->by[1] = by_order ? t->by_order : NULL;
     t->factor[1] = 2 * t->rho;
     t->by[2] = by_time ? t->again.now : NULL;
-    t->factor[2] = -t->rho;
+    t->factor[2] = is_product && term->time == 0 ? -term->end * t->rho : -t->rho;
     if (!status)
         status = convolve(t, run, keep, &alone, &t->self);
-    if (!status && fvi_kernel_is_zener_or_maxwell(term)
+    if (!status && (fvi_kernel_is_zener_or_maxwell(term) || is_product)
         && (want->times || (by_order && term->time > 0)))
         status = convolve(t, run, keep, &alone, &t->again);
     if (!status && by_order)
@@ -166,6 +205,12 @@ static void differentiate(const fvi_stage_term *t, const double *u, double befor
     }
 }
 
+/* Return what the history of a derivative takes in: nu, or (Delta/h) u if the derivative is a product. */
+static const double *input_of(const fvi_stage_term *t, int by, const double *nu, const double *rate)
+{
+    return t->end_is_product && by == FVI_SLOPE_BY_END ? rate : nu;
+}
+
 //> stage-term
 /* The derivatives of W nu by the numbers of a term, for number j. (23.21) */
 void fvi_stage_term_next(fvi_stage_term *t, size_t j, const double *nu)
@@ -174,7 +219,7 @@ void fvi_stage_term_next(fvi_stage_term *t, size_t j, const double *nu)
     const double *W = fvi_lobatto_history_w0(t->self.memory);
     double *u = t->self.now + j * s, *rate = t->rate + j * s, *left = t->left + j * s;
     add_present(t, j, W, nu, &t->self);
-    if (t->again.memory || t->less.memory)
+    if (t->again.memory || t->less.memory || t->end_is_product)
         differentiate(t, u, t->before[j], rate);
     if (t->again.memory)
         add_present(t, j, fvi_lobatto_history_w0(t->again.memory), rate, &t->again);
@@ -188,7 +233,7 @@ void fvi_stage_term_next(fvi_stage_term *t, size_t j, const double *nu)
         t->by_order[i] = t->log.now[i] - t->log_h * t->left[i] - t->less.now[i];
     for (int by = 0; by < FVI_KERNEL_DERIVATIVES; by++)
         if (t->slopes[by].memory)
-            add_present(t, j, fvi_lobatto_history_w0(t->slopes[by].memory), nu, &t->slopes[by]);
+            add_present(t, j, fvi_lobatto_history_w0(t->slopes[by].memory), input_of(t, by, nu, rate), &t->slopes[by]);
 }
 //< stage-term
 
@@ -202,7 +247,7 @@ static int update_history_of_term(fvi_stage_term *t, const double *nu)
 {
     int status = push(&t->self, nu);
     for (int by = 0; !status && by < FVI_KERNEL_DERIVATIVES; by++)
-        status = push(&t->slopes[by], nu);
+        status = push(&t->slopes[by], input_of(t, by, nu, t->rate));
     if (!status)
         status = push(&t->again, t->rate);
     if (!status)

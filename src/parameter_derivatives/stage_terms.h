@@ -26,8 +26,10 @@ typedef struct {
     fvi_stage_convolution self, again, slopes[FVI_KERNEL_DERIVATIVES];
     fvi_kernel_derivative slope[FVI_KERNEL_DERIVATIVES];
     fvi_stage_convolution log; /* Delta^beta at beta = 0: only its derivative by beta is used */
-    fvi_kernel_term *relaxation; /* for a DAVIDSON: Maxwell elements whose sum is ln(1 + time s); owned */
-    fvi_stage_convolution less;  /* the history of these elements, of (Delta/h) u */
+    fvi_kernel_term *relaxation; /* Maxwell elements whose sum is ln(1 + time s), for a DAVIDSON, and for a HAVRILIAK
+                                    that is a Maxwell element; owned */
+    fvi_stage_convolution less;  /* for a DAVIDSON: the history of these elements, of (Delta/h) u */
+    int end_is_product;          /* nonzero for such a HAVRILIAK: the history of these elements is that of the end */
     double *rate, *left;      /* each: (Delta/h) u, and u - time W (Delta/h) u; u is self.now */
     double *by_order;         /* each: L left, without ln(1 + time s) u of a DAVIDSON */
     const double *by[4];      /* each: the derivative of W nu by rho, alpha, time and end, without the factor; NULL: not
