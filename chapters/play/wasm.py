@@ -20,7 +20,7 @@ ABSENT = """fvi_kernel_at fvi_kernel_check fvi_kernel_growth fvi_kernel_history 
     fvi_lobatto_kernel_free fvi_lobatto_kernel_nodes fvi_lobatto_kernel_prepare fvi_lobatto_kernel_weights
     fvi_events_check fvi_lobatto_matrices_start fvi_mechanism_start fvi_damping_begin_matrices fvi_check_dampers_of_matrices
     fvi_impulses_of_kernel_alloc fvi_impulses_of_kernel_at fvi_impulses_of_kernel_at_stages fvi_impulses_of_kernel_copy fvi_impulses_of_kernel_free
-    fvi_stability_of_matrices
+    fvi_stability_of_matrices fvi_damping_multiply
     gsl_complex_abs gsl_eigen_nonsymm gsl_eigen_nonsymm_alloc gsl_eigen_nonsymm_free
     gsl_eigen_nonsymm_params
     gsl_vector_complex_alloc gsl_vector_complex_free gsl_vector_complex_get""".split()

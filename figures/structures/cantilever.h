@@ -113,7 +113,7 @@ static inline int beam_apply_damping(size_t d, double a, const double *z,
     return 0;
 }
 
-static inline int beam_factorise(size_t d, double m, double c, double k,
+static inline int beam_factorise(size_t d, double m, const double *c, double k,
                                  const void *params, void **factors)
 {
     const fvi_matrices *from = ((const beam *)params)->assembled;
@@ -123,9 +123,10 @@ static inline int beam_factorise(size_t d, double m, double c, double k,
 /* Return the beam as matrices for a system. b must outlive the result. */
 static inline fvi_matrices beam_matrices(const beam *b)
 {
-    return (fvi_matrices){ .history_size = 2 * (size_t)b->n,
-                           .select_history = beam_select_history,
-                           .apply_damping = beam_apply_damping,
+    return (fvi_matrices){ .damping = { .history_size = 2 * (size_t)b->n,
+                                        .select_history = beam_select_history,
+                                        .apply_damping = beam_apply_damping,
+                                        .params = b },
                            .stiffness = beam_stiffness,
                            .factorise = beam_factorise,
                            .solve = b->assembled->solve,

@@ -35,7 +35,7 @@ static void bend(const fvi_system *system, double *x0)
     void *factors;
     memset(x0, 0, D * sizeof *x0);
     x0[D - 2] = 3; /* F l^3 / 3 = 1 */
-    fail(m->factorise(D, 0, 0, 1, m->params, &factors));
+    fail(m->factorise(D, 0, NULL, 1, m->params, &factors));
     fail(m->solve(D, factors, x0));
     m->free_factors(factors);
 }

@@ -43,8 +43,8 @@ static int wave_apply_damping(size_t d, double a, const double *z, const void *p
     return 0;
 }
 
-/* The factor of an explicit step is the number m + c rho. Returns -1 if k is not 0: K has no factor here. */
-static int wave_factorise(size_t d, double m, double c, double k,
+/* The factor of an explicit step is the number m + c[0] rho. Returns -1 if k is not 0: K has no factor here. */
+static int wave_factorise(size_t d, double m, const double *c, double k,
                           const void *params, void **factors)
 {
     double *number = malloc(sizeof *number);
@@ -53,7 +53,7 @@ static int wave_factorise(size_t d, double m, double c, double k,
         free(number);
         return -1; /* a user's code: the library passes it on */
     }
-    *number = m + c * *(const double *)params;
+    *number = m + (c ? c[0] * *(const double *)params : 0);
     *factors = number;
     return 0;
 }
@@ -74,9 +74,10 @@ static void wave_free_factors(void *factors)
 /* Return the wave as matrices for a system. rho must outlive the result. */
 static inline fvi_matrices wave_matrices(size_t d, const double *rho)
 {
-    return (fvi_matrices){ .history_size = d,
-                           .select_history = wave_select_history,
-                           .apply_damping = wave_apply_damping,
+    return (fvi_matrices){ .damping = { .history_size = d,
+                                        .select_history = wave_select_history,
+                                        .apply_damping = wave_apply_damping,
+                                        .params = rho },
                            .stiffness = wave_stiffness,
                            .factorise = wave_factorise,
                            .solve = wave_solve,

@@ -182,16 +182,6 @@ static int stiffness(search *o, double *most)
     return FVI_SUCCESS;
 }
 
-static int load_of_stiffness(const fvi_run *run, double h, double *load)
-{
-    double *none = calloc(run->system->matrices->damper_count + 1, sizeof *none);
-    if (!none)
-        FVI_FAIL("no memory for the load", FVI_ENOMEM);
-    const int status = fvi_stability_of_matrices(h * h, none, run, load);
-    free(none);
-    return status;
-}
-
 /* *still: nonzero if (18.6) is violated. Then the potential may swing so fast that these steps pass over it. With
  * matrices the load of Algorithm 3 without damping, times 4, is the left side: h^2 times the largest eigenvalue of M^-1
  * K. */
@@ -200,7 +190,7 @@ static int may_miss_swing(search *o, size_t parts, int *still)
     const double h = o->run->h / (double)(o->first * parts);
     double most;
     if (o->run->system->matrices) {
-        const int known = load_of_stiffness(o->run, h, &most);
+        const int known = fvi_stability_of_matrices(h * h, NULL, o->run, &most);
         *still = !(4 * most <= 1);
         return known;
     }

@@ -142,25 +142,21 @@ typedef struct {
  * M, C and K are symmetric, M is positive definite, and C is positive semidefinite. They are for systems whose masses
  * and dampings are not diagonal. structures.h makes these functions from sparse matrices.
  *
- *   history_size  r >= 0: C = S B^T, and the history of a run has the r numbers z = B^T x. 0: no damping;
- *              select_history and apply_damping are not called
- *   select_history  writes B^T x - from to z. `from` and z are r numbers each; the arrays do not overlap
- *   apply_damping  subtracts a S z from the d numbers p
- *   apply_damping_to_stages  NULL; or as in fvi_damping_matrix
+ *   damping    C; zeroed: no damping
  *   stiffness  writes K x to y
  *   inertia    writes M x to y. NULL: without it the system has no derivative by a factor of M (adjoint.h), no ground
  *              (parse.h), no form D (lobatto.h) and no fvi_variable_step
- *   factorise  prepares solve for m M + c C + k K, where m, c >= 0, and writes the factors to *factors. Returns
- *              FVI_ESING if the sum is not positive definite
- *   solve      overwrites r with (m M + c C + k K)^-1 r. The factors belong to one run
+ *   factorise  prepares solve for m M + c[0] C + k K, or with several dampers for m M + sum_j c[j] C_j + k K, where
+ *              m, c[j] >= 0, and writes the factors to *factors. c = NULL: all c[j] are 0. Returns FVI_ESING if the sum
+ *              is not positive definite
+ *   solve      overwrites r with the inverse of this sum times r. The factors belong to one run
  *   free_factors  frees the factors
  *   energy     writes p^T M^-1 p / 2 + x^T K x / 2 to *E; NULL: the energy is not known
  *   params     handed to the functions, owned by the caller
  *   M, K, C    NULL; or the entries of these matrices (structures.h), for responses and poles (response.h). C is NULL
  *              without damping
  *   damper_count, damper  0 and NULL; or the number and the matrices of several dampers. Each damper has its own kernel
- *              in the system's mechanism (dampers.h). Then there is no C: history_size is 0
- *   factorise_dampers  as factorise, for m M + sum_j c_j C_j + k K; needed with several dampers
+ *              in the system's mechanism (dampers.h). Then there is no C, and `damping` is zeroed
  *   factorise_complex  NULL; or as factorise, for `count` such sums with complex numbers together, 1 to
  *              FVI_COMPLEX_SUMS. Form D of the methods with stages (lobatto.h) and fvi_variable_step need it. For each
  *              sum `factor` has m, then c or the c_j, then k, each with real and imaginary part. The real parts of m
@@ -173,14 +169,10 @@ typedef struct {
 enum { FVI_COMPLEX_SUMS = 4 };
 struct fvi_sparse;
 typedef struct {
-    size_t history_size;
-    int (*select_history)(size_t d, const double *x, const double *from,
-                          const void *params, double *z);
-    int (*apply_damping)(size_t d, double a, const double *z, const void *params,
-                         double *p);
+    fvi_damping_matrix damping;
     int (*stiffness)(size_t d, const double *x, const void *params, double *y);
     int (*inertia)(size_t d, const double *x, const void *params, double *y);
-    int (*factorise)(size_t d, double m, double c, double k, const void *params,
+    int (*factorise)(size_t d, double m, const double *c, double k, const void *params,
                      void **factors);
     int (*solve)(size_t d, void *factors, double *r);
     void (*free_factors)(void *factors);
@@ -190,13 +182,10 @@ typedef struct {
     const struct fvi_sparse *M, *K, *C;
     size_t damper_count;
     const fvi_damping_matrix *damper;
-    int (*factorise_dampers)(size_t d, double m, const double *c, double k,
-                             const void *params, void **factors);
     int (*factorise_complex)(size_t d, size_t count, const double *factor, const void *params,
                              void **factors);
     int (*solve_complex)(size_t d, size_t count, void *factors, double *r);
     void (*free_complex_factors)(void *factors);
-    int (*apply_damping_to_stages)(size_t d, size_t s, double a, const double *z, const void *params, double *p);
 } fvi_matrices;
 
 /* fvi_system -- one mechanical system. The arrays belong to the caller and must outlive every run that uses the system.

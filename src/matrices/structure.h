@@ -17,20 +17,13 @@ struct fvi_structure {
     fvi_damping_matrix *damper;
 };
 
-/* fvi_structure_factorise -- Factorise a_0 A_0 + a_1 A_1 + ... Codes and *factors are those of factorise in
- * fvi_matrices. */
-int fvi_structure_factorise(size_t count, const fvi_sparse *const *terms, const double *a,
-                            void **factors);
+/* fvi_structure_term_count -- Return the number of matrices in m M + sum_j c_j C_j + k K, also of those that are NULL.
+ * fvi_structure_term -- Return matrix l of this sum: M; C, which may be NULL, or the C_j of all dampers; K. */
+size_t fvi_structure_term_count(const fvi_structure *s);
+const fvi_sparse *fvi_structure_term(const fvi_structure *s, size_t l);
 
-/* fvi_structure_terms -- Return an array of M, C_1, C_2, ..., K, and write their factors m, c_1, c_2, ..., k to *a.
- * Both are in one block, which the caller frees. Return NULL if memory is short. */
-const fvi_sparse **fvi_structure_terms(const fvi_structure *s, double m, const double *c,
-                                       double k, double **a);
-
-/* fvi_structure_dampings -- Return the number of damping matrices: one for each damper, or 1 for C.
- * fvi_structure_damping -- Return the matrix of damper j. */
-size_t fvi_structure_dampings(const fvi_structure *s);
-const fvi_sparse *fvi_structure_damping(const fvi_structure *s, size_t j);
+/* fvi_structure_damping_functions -- Return the functions of the matrix that has this history. */
+fvi_damping_matrix fvi_structure_damping_functions(const fvi_history_space *B);
 
 /* fvi_structure_add_complex -- Set the functions for complex equations, which methods with stages need. */
 void fvi_structure_add_complex(fvi_structure *s);

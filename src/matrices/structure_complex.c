@@ -177,10 +177,7 @@ static size_t wider_of(size_t w, size_t other)
 static void list_terms(const fvi_structure *s, complex_terms *terms)
 {
     for (size_t l = 0; l < terms->every; l++) {
-        const fvi_sparse *matrix = l == 0                  ? s->M
-                                   : l == terms->every - 1 ? s->K
-                                   : s->space              ? fvi_structure_damping(s, l - 1)
-                                                           : s->C;
+        const fvi_sparse *matrix = fvi_structure_term(s, l);
         if (!matrix)
             continue;
         terms->place[terms->count] = l;
@@ -193,7 +190,7 @@ static void list_terms(const fvi_structure *s, complex_terms *terms)
 static int factorise(size_t d, size_t count, const double *factor, const void *params, void **factors)
 {
     const fvi_structure *s = params;
-    complex_terms terms = { .every = fvi_structure_dampings(s) + 2, .factor = factor };
+    complex_terms terms = { .every = fvi_structure_term_count(s), .factor = factor };
     terms.place = malloc(terms.every * sizeof *terms.place);
     terms.matrix = malloc(terms.every * sizeof *terms.matrix);
     complex_solver *c = calloc(1, sizeof *c);

@@ -5,23 +5,23 @@
 
 #include <stdlib.h>
 
-static int select_damper_history(size_t d, const double *x, const double *from,
-                                 const void *params, double *z)
+static int select_history(size_t d, const double *x, const double *from,
+                          const void *params, double *z)
 {
     (void)d;
     fvi_history_space_gather(params, x, from, z);
     return FVI_SUCCESS;
 }
 
-static int apply_damper(size_t d, double a, const double *z, const void *params,
-                        double *p)
+static int apply_damping(size_t d, double a, const double *z, const void *params,
+                         double *p)
 {
     (void)d;
     fvi_history_space_apply_damping(params, a, z, p);
     return FVI_SUCCESS;
 }
 
-static int apply_damper_to_stages(size_t d, size_t s, double a, const double *z, const void *params, double *p)
+static int apply_damping_to_stages(size_t d, size_t s, double a, const double *z, const void *params, double *p)
 {
     (void)d;
     fvi_history_space_apply_to_stages(params, s, a, z, p);
@@ -36,50 +36,26 @@ static int find_diagonal(size_t d, const void *params, double *C)
     return FVI_SUCCESS;
 }
 
-const fvi_sparse *fvi_structure_damping(const fvi_structure *s, size_t j)
+fvi_damping_matrix fvi_structure_damping_functions(const fvi_history_space *B)
 {
-    const fvi_damper *damper = s->mechanism.damper + j;
-    return damper->matrix ? damper->matrix : s->outer + j;
+    return (fvi_damping_matrix){ B->r, select_history, apply_damping, B, find_diagonal, apply_damping_to_stages };
 }
 
-size_t fvi_structure_dampings(const fvi_structure *s)
+size_t fvi_structure_term_count(const fvi_structure *s)
 {
-    return s->space ? s->mechanism.damper_count : 1;
+    return 2 + (s->space ? s->mechanism.damper_count : 1);
 }
 
-/* The matrices and the factors are in one block. */
-const fvi_sparse **fvi_structure_terms(const fvi_structure *s, double m, const double *c,
-                                    double k, double **a)
+const fvi_sparse *fvi_structure_term(const fvi_structure *s, size_t l)
 {
-    const size_t count = s->mechanism.damper_count + 2;
-    const fvi_sparse **terms = malloc(count * (sizeof *terms + sizeof **a));
-    if (!terms)
-        return NULL;
-    *a = (double *)(terms + count);
-    terms[0] = s->M;
-    terms[count - 1] = s->K;
-    (*a)[0] = m;
-    (*a)[count - 1] = k;
-    for (size_t j = 0; j + 2 < count; j++) {
-        terms[j + 1] = fvi_structure_damping(s, j);
-        (*a)[j + 1] = c[j];
-    }
-    return terms;
-}
-
-static int factorise_dampers(size_t d, double m, const double *c, double k,
-                             const void *params, void **factors)
-{
-    const fvi_structure *s = params;
-    double *a;
-    const fvi_sparse **terms = fvi_structure_terms(s, m, c, k, &a);
-    (void)d;
-    if (!terms)
-        FVI_FAIL("no memory for the factors", FVI_ENOMEM);
-    const int status =
-        fvi_structure_factorise(s->mechanism.damper_count + 2, terms, a, factors);
-    free(terms);
-    return status;
+    if (l == 0)
+        return s->M;
+    if (l == fvi_structure_term_count(s) - 1)
+        return s->K;
+    if (!s->space)
+        return s->C;
+    const fvi_sparse *matrix = s->mechanism.damper[l - 1].matrix;
+    return matrix ? matrix : s->outer + l - 1;
 }
 
 /* Compute row^T row from the nonzero entries of the row. */
@@ -135,9 +111,7 @@ static int find_damper_space(fvi_structure *s, size_t j, fvi_error *error)
                                                   "the motion"
                                                 : "no memory for its matrix",
                              error);
-    s->damper[j] = (fvi_damping_matrix){ s->space[j].r, select_damper_history,
-                                         apply_damper, s->space + j, find_diagonal,
-                                         apply_damper_to_stages };
+    s->damper[j] = fvi_structure_damping_functions(s->space + j);
     return FVI_SUCCESS;
 }
 
@@ -152,7 +126,6 @@ int fvi_structure_add_dampers(fvi_structure *s, size_t count, const fvi_damper *
     s->mechanism = (fvi_mechanism){ .damper_count = count, .damper = damper };
     s->matrices.damper_count = count;
     s->matrices.damper = s->damper;
-    s->matrices.factorise_dampers = factorise_dampers;
     int status = FVI_SUCCESS;
     for (size_t j = 0; !status && j < count; j++)
         status = find_damper_space(s, j, error);

@@ -25,35 +25,29 @@ static int inertia(size_t d, const double *x, const void *params, double *y)
     return FVI_SUCCESS;
 }
 
-static int select_history(size_t d, const double *x, const double *from,
-                    const void *params, double *z)
+/* Compute A = m M + sum_j c_j C_j + k K. c = NULL stands for zeros. The matrices and the factors are in one block. */
+static int add_matrices(const fvi_structure *s, double m, const double *c, double k, fvi_sparse *A)
 {
-    (void)d;
-    fvi_history_space_gather(&((const fvi_structure *)params)->B, x, from, z);
-    return FVI_SUCCESS;
+    const size_t count = fvi_structure_term_count(s);
+    const fvi_sparse **term = malloc(count * (sizeof *term + sizeof(double)));
+    if (!term)
+        return FVI_ENOMEM;
+    double *factor = (double *)(term + count);
+    for (size_t l = 0; l < count; l++) {
+        term[l] = fvi_structure_term(s, l);
+        factor[l] = l == 0 ? m : l == count - 1 ? k : c ? c[l - 1] : 0;
+    }
+    const int status = fvi_sparse_add(count, term, factor, A);
+    free(term);
+    return status;
 }
 
-static int apply_damping(size_t d, double a, const double *z, const void *params,
-                         double *p)
-{
-    (void)d;
-    fvi_history_space_apply_damping(&((const fvi_structure *)params)->B, a, z, p);
-    return FVI_SUCCESS;
-}
-
-static int apply_damping_to_stages(size_t d, size_t s, double a, const double *z, const void *params, double *p)
-{
-    (void)d;
-    fvi_history_space_apply_to_stages(&((const fvi_structure *)params)->B, s, a, z, p);
-    return FVI_SUCCESS;
-}
-
-int fvi_structure_factorise(size_t count, const fvi_sparse *const *terms, const double *a,
-                         void **factors)
+static int factorise(size_t d, double m, const double *c, double k, const void *params, void **factors)
 {
     fvi_sparse A;
     fvi_factors *f = NULL;
-    int status = fvi_sparse_add(count, terms, a, &A);
+    (void)d;
+    int status = add_matrices(params, m, c, k, &A);
     if (!status)
         status = fvi_factors_alloc(fvi_choose_factorisation(&A), &A, &f);
     if (!status)
@@ -61,16 +55,6 @@ int fvi_structure_factorise(size_t count, const fvi_sparse *const *terms, const 
     if (status == FVI_ENOMEM)
         FVI_FAIL("no memory for the factors", FVI_ENOMEM);
     return status;
-}
-
-static int factorise(size_t d, double m, double c, double k, const void *params,
-                     void **factors)
-{
-    const fvi_structure *s = params;
-    const fvi_sparse *const terms[] = { s->M, s->C, s->K };
-    const double a[] = { m, c, k };
-    (void)d;
-    return fvi_structure_factorise(3, terms, a, factors);
 }
 
 static int solve(size_t d, void *factors, double *r)
@@ -116,7 +100,7 @@ static int check_mass(fvi_structure *s)
             return FVI_EDOM;
     }
     void *factors = NULL;
-    int status = factorise(d, 1, 0, 0, s, &factors);
+    int status = factorise(d, 1, NULL, 0, s, &factors);
     if (!status)
         s->by_mass = factors;
     return status;
@@ -144,7 +128,7 @@ static int check_matrices(fvi_structure *s, char *fault)
     if (!status) {
         *fault = 'C';
         status = fvi_history_space_find(s->M, s->C, &s->B);
-        s->matrices.history_size = s->B.r;
+        s->matrices.damping = fvi_structure_damping_functions(&s->B);
     }
     if (!status)
         *fault = 0;
@@ -164,10 +148,7 @@ static int make_structure(const fvi_sparse *M, const fvi_sparse *K, fvi_structur
     *s = (fvi_structure){
         .M = M, .K = K, .mass = block, .damping = block + M->n
     };
-    s->matrices = (fvi_matrices){ .select_history = select_history,
-                                  .apply_damping = apply_damping,
-                                  .apply_damping_to_stages = apply_damping_to_stages,
-                                  .stiffness = stiffness,
+    s->matrices = (fvi_matrices){ .stiffness = stiffness,
                                   .inertia = inertia,
                                   .factorise = factorise,
                                   .solve = solve,
@@ -248,19 +229,13 @@ fvi_system fvi_structure_system(const fvi_structure *s)
 /* The factors have no simple ratio, so that no entry cancels, for example if M is 1 and K is -1. */
 static int sum_pattern(const fvi_structure *s, double m, double c, double k, fvi_sparse *A)
 {
-    const size_t count = s->mechanism.damper_count;
-    const fvi_sparse *const three[] = { s->M, s->C, s->K };
-    const double factor[] = { m, c * sqrt(2), k * sqrt(3) };
-    if (count == 0)
-        return fvi_sparse_add(3, three, factor, A);
-    double *each = malloc(count * sizeof *each), *a;
+    const size_t count = fvi_structure_term_count(s);
+    double *each = malloc(count * sizeof *each);
     if (!each)
         return FVI_ENOMEM;
     for (size_t j = 0; j < count; j++)
         each[j] = c * sqrt(2 + (double)j / 7);
-    const fvi_sparse **terms = fvi_structure_terms(s, m, each, k * sqrt(3), &a);
-    const int status = terms ? fvi_sparse_add(count + 2, terms, a, A) : FVI_ENOMEM;
-    free(terms);
+    const int status = add_matrices(s, m, each, k * sqrt(3), A);
     free(each);
     return status;
 }

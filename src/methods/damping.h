@@ -5,6 +5,7 @@
 #define FVI_DAMPING_H
 
 #include "run/run_damper.h"
+#include "system/damping_matrix.h"
 #include "system/lagrangian_point.h" /* fvi_divide_by_mass */
 
 /* The history of one damper, in a list of all dampers. */

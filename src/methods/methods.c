@@ -82,7 +82,7 @@ double fvi_run_bytes(const fvi_method *method, const fvi_run *run)
 {
     const fvi_system *system = run->system;
     const size_t s = (size_t)method->stages,
-                 d = system->matrices ? system->matrices->history_size
+                 d = system->matrices ? system->matrices->damping.history_size
                                       : system->d;
     const double bytes = 100 * (double)system->d;
     if (fvi_has_mechanism_steps(system))

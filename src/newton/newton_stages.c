@@ -254,21 +254,11 @@ int fvi_newton_stages_alloc(const fvi_system *system, size_t q, const double *s,
 
 /* ---- systems with matrices ---- */
 
-/* Factorise m M + sum_j c_j C_j + k K. */
-static int factorise_matrices(fvi_newton *n, double k)
-{
-    const fvi_matrices *m = n->system->matrices;
-    return m->damper_count > 0
-               ? m->factorise_dampers(n->system->d, n->m, n->c, k, m->params,
-                                      &n->factors)
-               : m->factorise(n->system->d, n->m, *n->c, k, m->params, &n->factors);
-}
-
 int fvi_newton_matrices_alloc(const fvi_system *system, double m, const double *c,
                               double s, double theta, fvi_newton **newton)
 {
-    const size_t d = system->d, dampers = system->matrices->damper_count,
-                 count = dampers > 0 ? dampers : 1;
+    const fvi_matrices *matrices = system->matrices;
+    const size_t d = system->d, count = matrices->damper_count > 0 ? matrices->damper_count : 1;
     int in_range = m > 0 && gsl_finite(m) && gsl_finite(s * theta);
     for (size_t j = 0; j < count; j++)
         in_range = in_range && (!c || (c[j] >= 0 && gsl_finite(c[j])));
@@ -292,7 +282,7 @@ int fvi_newton_matrices_alloc(const fvi_system *system, double m, const double *
     *n->s = s;
     if (c)
         memcpy(n->c, c, count * sizeof *c);
-    const int status = factorise_matrices(n, s * theta);
+    const int status = matrices->factorise(d, m, n->c, s * theta, matrices->params, &n->factors);
     if (status)
         fvi_newton_free(n);
     else

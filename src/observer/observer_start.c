@@ -57,7 +57,7 @@ static size_t degree_of(const fvi_method *method)
 static int is_damped(const fvi_system *system)
 {
     if (system->matrices)
-        return system->matrices->history_size > 0;
+        return system->matrices->damping.history_size > 0;
     for (size_t j = 0; j < system->d; j++)
         if (system->damping[j] > 0)
             return 1;
@@ -188,7 +188,7 @@ static int begin(fvi_observer *o, const fvi_stepper *s)
                             | FVI_OBSERVE_MULTIPLIER;
     int status = FVI_SUCCESS;
     if (o->matrices)
-        status = o->matrices->factorise(o->d, 1, 0, 0, o->matrices->params,
+        status = o->matrices->factorise(o->d, 1, NULL, 0, o->matrices->params,
                                         &o->factors);
     if (!status)
         status = allocate(o);
@@ -277,7 +277,7 @@ int fvi_observer_copy(const fvi_observer *from, fvi_observer **to)
     if (!status)
         memcpy(o->numbers, from->numbers, o->count * sizeof *o->numbers);
     if (!status && o->matrices)
-        status = o->matrices->factorise(o->d, 1, 0, 0, o->matrices->params,
+        status = o->matrices->factorise(o->d, 1, NULL, 0, o->matrices->params,
                                         &o->factors);
     if (!status && from->ramp)
         status = fvi_observer_copy_ramps(from, o);

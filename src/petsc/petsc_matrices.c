@@ -78,7 +78,7 @@ static int sum_matrices(const share *s, double m, size_t count, const double *c,
     int status = FVI_SUCCESS;
     TRY(MatDuplicate(s->M, MAT_COPY_VALUES, A));
     TRY(MatScale(*A, m));
-    for (size_t j = 0; j < count && !status; j++)
+    for (size_t j = 0; c && j < count && !status; j++)
         status = add_matrix(*A, c[j], C[j]);
     return status ? status : add_matrix(*A, k, s->K);
 }
@@ -117,20 +117,12 @@ static int make_factors(const share *s, double m, size_t count, const double *c,
     return status;
 }
 
-static int factorise(size_t d, double m, double c, double k, const void *params,
-                     void **out)
+static int factorise(size_t d, double m, const double *c, double k, const void *params, void **out)
 {
     const share *s = params;
     (void)d;
-    return make_factors(s, m, 1, &c, &s->C, k, out);
-}
-
-static int factorise_dampers(size_t d, double m, const double *c, double k,
-                             const void *params, void **out)
-{
-    const share *s = params;
-    (void)d;
-    return make_factors(s, m, s->mechanism->damper_count, c, s->damper_matrices, k, out);
+    return s->mechanism ? make_factors(s, m, s->mechanism->damper_count, c, s->damper_matrices, k, out)
+                        : make_factors(s, m, 1, c, &s->C, k, out);
 }
 
 static int solve(size_t d, void *of, double *r)
@@ -151,15 +143,15 @@ static int solve(size_t d, void *of, double *r)
 
 fvi_matrices petsc_matrices(const share *s)
 {
-    return (fvi_matrices){ .history_size = s->C ? (size_t)s->rows : 0,
-                           .select_history = select_history,
-                           .apply_damping = apply_damping,
+    return (fvi_matrices){ .damping = { .history_size = s->C ? (size_t)s->rows : 0,
+                                        .select_history = select_history,
+                                        .apply_damping = apply_damping,
+                                        .params = s },
                            .stiffness = stiffness,
                            .factorise = factorise,
                            .solve = solve,
                            .free_factors = free_factors,
                            .params = s,
                            .damper_count = s->mechanism ? s->mechanism->damper_count : 0,
-                           .damper = s->damping,
-                           .factorise_dampers = factorise_dampers };
+                           .damper = s->damping };
 }

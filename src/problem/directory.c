@@ -224,7 +224,7 @@ fvi_system fvi_directory_system(const fvi_directory *d)
 
 const fvi_sparse *fvi_directory_damping(const fvi_directory *d, size_t j)
 {
-    return fvi_structure_damping(d->structure, j);
+    return fvi_structure_term(d->structure, j + 1);
 }
 
 void fvi_directory_matrices(const fvi_directory *d, const fvi_sparse *A[3])

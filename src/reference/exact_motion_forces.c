@@ -77,7 +77,7 @@ static int prepare_forces(fvi_exact_motion *o)
     o->sum = calloc((2 * count_dampings(o) + 1) * o->d, sizeof *o->sum);
     int status = o->sum ? FVI_SUCCESS : FVI_ENOMEM;
     if (!status && matrices)
-        status = matrices->factorise(o->d, 1, 0, 0, matrices->params, &o->inertia);
+        status = matrices->factorise(o->d, 1, NULL, 0, matrices->params, &o->inertia);
     if (status) /* so the next call begins anew */
         fvi_exact_motion_free_dampers(o);
     return status;

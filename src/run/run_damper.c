@@ -2,10 +2,8 @@
 #include "run_damper.h"
 
 #include "kernel/kernel_terms.h"
-#include "system/fail.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 /* ---- which dampers a run has ---- */
 
@@ -25,15 +23,6 @@ static fvi_run_damper damper_of_kernel(const fvi_kernel *law)
     return (fvi_run_damper){ .law = law, .rho = 1, .growth = fvi_kernel_growth(law) };
 }
 
-fvi_damping_matrix fvi_whole_damping(const fvi_matrices *m)
-{
-    return (fvi_damping_matrix){ .history_size = m->history_size,
-                                 .select_history = m->select_history,
-                                 .apply_damping = m->apply_damping,
-                                 .apply_damping_to_stages = m->apply_damping_to_stages,
-                                 .params = m->params };
-}
-
 fvi_run_damper fvi_run_damper_of(const fvi_run *run, size_t j)
 {
     const fvi_system *system = run->system;
@@ -50,7 +39,7 @@ fvi_run_damper fvi_run_damper_of(const fvi_run *run, size_t j)
         damper.past = of->past;
     }
     if (m)
-        damper.matrix = of_mechanism ? m->damper[j] : fvi_whole_damping(m);
+        damper.matrix = of_mechanism ? m->damper[j] : m->damping;
     return damper;
 }
 
@@ -85,21 +74,6 @@ int fvi_is_same_law(const fvi_kernel *a, const fvi_kernel *b)
 }
 
 /* ---- the functions of a damper ---- */
-
-int fvi_damping_multiply(const fvi_damping_matrix *C, size_t d, double factor,
-                         const double *x, double *y)
-{
-    if (C->history_size == 0)
-        return FVI_SUCCESS;
-    double *z = calloc(2 * C->history_size, sizeof *z);
-    if (!z)
-        FVI_FAIL("no memory for a product with C", FVI_ENOMEM);
-    int status = C->select_history(d, x, z + C->history_size, C->params, z);
-    if (!status)
-        status = C->apply_damping(d, -factor, z, C->params, y);
-    free(z);
-    return status;
-}
 
 int fvi_run_damper_stages(const fvi_run_damper *damper, size_t d, size_t s, const double *force, double *load)
 {

@@ -26,13 +26,6 @@ typedef struct {
 size_t fvi_run_damper_count(const fvi_run *run);
 fvi_run_damper fvi_run_damper_of(const fvi_run *run, size_t j);
 
-/* fvi_whole_damping -- the damping matrix of a system, the sum of the matrices of all its dampers. Its diagonal is not
- * known here; it is in the system.
- * fvi_damping_multiply -- compute y += factor C x, d numbers each. Returns FVI_SUCCESS; FVI_ENOMEM; or the code of the
- * matrix. */
-fvi_damping_matrix fvi_whole_damping(const fvi_matrices *m);
-int fvi_damping_multiply(const fvi_damping_matrix *C, size_t d, double factor, const double *x, double *y);
-
 /* fvi_is_same_law -- nonzero if two laws have the same weights: they have the same terms, or both are NULL, which is no
  * law. Two terms of the kind SYMBOL are the same if they are one term. */
 int fvi_is_same_law(const fvi_kernel *a, const fvi_kernel *b);

@@ -1,9 +1,9 @@
 /* src/run/solution.c -- Check whether a motion exists that starts as the run does. [H 19, 27] */
 #include "solution.h"
 #include <fvi/dampers.h>
-#include "run_damper.h"
 #include "system/all_zero.h"
 #include "system/arrays.h"
+#include "system/damping_matrix.h"
 #include "system/fail.h"
 #include "system/larger.h"
 
@@ -43,10 +43,8 @@ static int acts_on_start(const fvi_run *run, const fvi_damping_matrix *C, const 
 int fvi_run_start_is_damped(const fvi_run *run, int *is_damped)
 {
     const fvi_system *system = run->system;
-    if (system->matrices) {
-        const fvi_damping_matrix C = fvi_whole_damping(system->matrices);
-        return acts_on_start(run, &C, system->damping, is_damped);
-    }
+    if (system->matrices)
+        return acts_on_start(run, &system->matrices->damping, system->damping, is_damped);
     *is_damped = 0;
     for (size_t i = 0; i < system->d; i++)
         *is_damped |= system->damping[i] > 0 && run->x0[i] != 0;

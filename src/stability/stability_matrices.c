@@ -1,9 +1,10 @@
 /* src/stability/stability_matrices.c -- The load of a system with matrices, by the power iteration. [H 27] */
 #include "stability_share.h"
-#include "system/seeded.h"
 
+#include "system/damping_matrix.h"
 #include "system/dot.h"
 #include "system/fail.h"
+#include "system/seeded.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -12,24 +13,14 @@
 
 enum { ITERATIONS = 64 };
 
-/* The matrix A = spring K + sum_j damper_j C_j, with room for B^T v of all dampers, and as many zeros. */
+/* The matrix A = spring K + sum_j damper_j C_j. */
 typedef struct {
     const fvi_run *run;
     double spring;
     size_t count;
     const double *damper;
     const fvi_damping_matrix *C;
-    double *z;
-    const double *zeros;
 } weighed;
-
-static size_t count_history_sizes(const weighed *w)
-{
-    size_t count = 0;
-    for (size_t j = 0; j < w->count; j++)
-        count += w->C[j].history_size;
-    return count;
-}
 
 /* y = spring K v + sum_j damper_j C_j v. */
 static int multiply_sum(const weighed *w, const double *v, double *y)
@@ -38,14 +29,9 @@ static int multiply_sum(const weighed *w, const double *v, double *y)
     int status = fvi_potential_gradient(w->run->system, v, y);
     for (size_t i = 0; i < d; i++)
         y[i] *= w->spring;
-    for (size_t j = 0; !status && j < w->count; j++) {
-        const fvi_damping_matrix *C = w->C + j;
-        if (C->history_size == 0 || w->damper[j] == 0)
-            continue;
-        status = C->select_history(d, v, w->zeros, C->params, w->z);
-        if (!status)
-            status = C->apply_damping(d, -w->damper[j], w->z, C->params, y);
-    }
+    for (size_t j = 0; !status && j < w->count; j++)
+        if (w->damper[j] != 0)
+            status = fvi_damping_multiply(w->C + j, d, w->damper[j], v, y);
     return status;
 }
 
@@ -97,19 +83,17 @@ static int is_active(const weighed *w)
 static int find_number(weighed *w, double *load)
 {
     const fvi_matrices *m = w->run->system->matrices;
-    const size_t d = w->run->system->d, r = count_history_sizes(w);
+    const size_t d = w->run->system->d;
     if (!is_active(w)) {
         *load = 0;
         return FVI_SUCCESS;
     }
     if (has_negative_damping(w))
         FVI_FAIL("a load whose damping helps is not known for matrices", FVI_EUNSUP);
-    double *room = calloc(2 * (d + r), sizeof *room), largest = 0;
+    double *room = calloc(2 * d, sizeof *room), largest = 0;
     void *factors = NULL;
     int status =
-        room ? m->factorise(d, 1, 0, 0, m->params, &factors) : FVI_ENOMEM;
-    w->z = room ? room + 2 * d : NULL;
-    w->zeros = room ? w->z + r : NULL;
+        room ? m->factorise(d, 1, NULL, 0, m->params, &factors) : FVI_ENOMEM;
     if (!status)
         status = iterate(w, factors, room, &largest);
     if (factors)
@@ -128,14 +112,10 @@ int fvi_stability_of_matrices(double spring, const double *damper, const fvi_run
                               double *load)
 {
     const fvi_matrices *m = run->system->matrices;
-    const fvi_damping_matrix C = { .history_size = m->history_size,
-                                   .select_history = m->select_history,
-                                   .apply_damping = m->apply_damping,
-                                   .params = m->params };
     weighed w = { .run = run,
                   .spring = spring,
-                  .count = m->damper_count > 0 ? m->damper_count : 1,
+                  .count = !damper ? 0 : m->damper_count > 0 ? m->damper_count : 1,
                   .damper = damper,
-                  .C = m->damper_count > 0 ? m->damper : &C };
+                  .C = m->damper_count > 0 ? m->damper : &m->damping };
     return find_number(&w, load);
 }

@@ -15,7 +15,7 @@ int fvi_stability_of_dampers(const double *damper, const fvi_run *run, double *l
 /* fvi_stability_of_matrices -- a quarter of the largest eigenvalue of (spring K + sum_j damper_j C_j) v = lambda M v.
  * [(27.9)]
  *
- *   damper  one number for C, or one for each of the dampers
+ *   damper  one number for C, or one for each of the dampers; NULL: zeros
  *   load    output; a lower bound, within some percent, by 64 products and solutions
  *
  * Returns FVI_SUCCESS; FVI_EUNSUP if a damper is negative and another term is positive; FVI_EOVRFLW; FVI_ENOMEM; what a

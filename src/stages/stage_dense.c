@@ -1,6 +1,7 @@
 /* src/stages/stage_dense.c -- Invert the equation of all stages of a small structure.     [H 27] */
 #include "stage_dense.h"
 
+#include "system/damping_matrix.h"
 #include "system/dense.h"
 #include "system/fail.h"
 
@@ -21,36 +22,20 @@ typedef struct {
     double *E;              /* the matrix of the equation, s d x s d numbers; stage i of unknown p is row i d + p */
 } equation;
 
-static fvi_damping_matrix damper_of(const fvi_matrices *m, size_t j)
-{
-    return m->damper_count > 0 ? m->damper[j]
-                               : (fvi_damping_matrix){ .history_size = m->history_size,
-                                                       .select_history = m->select_history,
-                                                       .apply_damping = m->apply_damping,
-                                                       .params = m->params };
-}
-
-static void write_column(const equation *e, size_t q, double sign, double *matrix)
+static void write_column(const equation *e, size_t q, double *matrix)
 {
     for (size_t p = 0; p < e->d; p++)
-        matrix[p * e->d + q] = sign * e->column[p];
+        matrix[p * e->d + q] = e->column[p];
 }
 
-/* Read column q of C_j = S B^T. The function apply_damping subtracts S B^T e_q from a vector of zeros, so the sign is
- * reversed. */
+/* Read column q of C_j. */
 static int read_damping(const equation *e, size_t j, size_t q)
 {
-    const fvi_damping_matrix C = damper_of(e->matrices, j);
-    double *z = calloc(2 * C.history_size + 1, sizeof *z);
-    if (!z)
-        FVI_FAIL("no memory for the equation of the stages", FVI_ENOMEM);
+    const fvi_damping_matrix *C = e->matrices->damper_count > 0 ? e->matrices->damper + j : &e->matrices->damping;
     for (size_t p = 0; p < e->d; p++)
         e->column[p] = 0;
-    int status = C.select_history(e->d, e->unit, z + C.history_size, C.params, z);
-    if (!status)
-        status = C.apply_damping(e->d, 1, z, C.params, e->column);
-    free(z);
-    write_column(e, q, -1, e->C + j * e->d * e->d);
+    const int status = fvi_damping_multiply(C, e->d, 1, e->unit, e->column);
+    write_column(e, q, e->C + j * e->d * e->d);
     return status;
 }
 
@@ -62,10 +47,10 @@ static int read_matrices(const equation *e)
     for (size_t q = 0; !status && q < e->d; q++) {
         e->unit[q] = 1;
         status = m->inertia(e->d, e->unit, m->params, e->column);
-        write_column(e, q, 1, e->M);
+        write_column(e, q, e->M);
         if (!status)
             status = m->stiffness(e->d, e->unit, m->params, e->column);
-        write_column(e, q, 1, e->K);
+        write_column(e, q, e->K);
         for (size_t j = 0; !status && j < e->count; j++)
             if (e->W[j])
                 status = read_damping(e, j, q);

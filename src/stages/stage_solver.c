@@ -58,9 +58,7 @@ static int factorise_real(fvi_stage_solver *o, const double *const *W, double co
     double *re = (double *)c; /* the real parts are written to the same memory, one after another */
     for (size_t j = 0; j < count; j++)
         re[j] = creal(c[j]);
-    return m->damper_count > 0
-               ? m->factorise_dampers(o->d, re[0], re + 1, re[count - 1], m->params, &o->of_real)
-               : m->factorise(o->d, re[0], re[1], re[2], m->params, &o->of_real);
+    return m->factorise(o->d, re[0], re + 1, re[count - 1], m->params, &o->of_real);
 }
 
 /* Factorise Z of all pairs. */

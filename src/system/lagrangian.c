@@ -219,7 +219,7 @@ int fvi_divide_by_mass(const fvi_system *system, const double *p, double *v)
         v[i] = m ? p[i] : p[i] / system->mass[i];
     if (!m)
         return FVI_SUCCESS;
-    int status = m->factorise(system->d, 1, 0, 0, m->params, &factors);
+    int status = m->factorise(system->d, 1, NULL, 0, m->params, &factors);
     if (status)
         return status;
     status = m->solve(system->d, factors, v);

@@ -29,14 +29,13 @@ static int check_matrices(const fvi_system *s, fvi_error *error)
 {
     const fvi_matrices *m = s->matrices;
     if (!m->stiffness || !m->factorise || !m->solve || !m->free_factors
-        || (m->history_size > 0 && (!m->select_history || !m->apply_damping)))
+        || (m->damping.history_size > 0 && (!m->damping.select_history || !m->damping.apply_damping)))
         return fvi_fail(error, FVI_EFAULT, "matrices", NAN,
                         "a function of the matrices is missing");
     if (s->potential.value)
         return fvi_refuse(error, "potential", "matrices and a potential do not go together");
-    if (m->damper_count > 0 && (!m->damper || !m->factorise_dampers || m->history_size > 0))
-        return fvi_fail(error, FVI_EFAULT, "matrices", NAN,
-                        "several dampers need their matrices and factors, and no C");
+    if (m->damper_count > 0 && (!m->damper || m->damping.history_size > 0))
+        return fvi_fail(error, FVI_EFAULT, "matrices", NAN, "several dampers need their matrices, and no C");
     return FVI_SUCCESS;
 }
 

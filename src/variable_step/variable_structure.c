@@ -48,7 +48,7 @@ static int find_compliance(const fvi_system *system, double T, double *x, double
     const fvi_matrices *m = system->matrices;
     const size_t d = system->d;
     void *factors = NULL;
-    int status = m->factorise(d, 0, 0, 1, m->params, &factors);
+    int status = m->factorise(d, 0, NULL, 1, m->params, &factors);
     *reach = T;
     for (size_t j = 0; j < d; j++)
         x[j] = 1 + 0.37 * sin((double)(3 * j + 1)); /* only by chance a mode is orthogonal to x */

@@ -249,7 +249,7 @@ START_TEST(bad_arguments_of_an_adjoint_are_refused)
     ck_assert_int_eq(fvi_adjoint(m, &run, x, x, &J, NULL), FVI_EFAULT);
     ck_assert_int_eq(fvi_adjoint(&fvi_lagrange_dalembert, &run, x, x, &J, &g),
                      FVI_EUNSUP);
-    const fvi_matrices some = { .apply_damping = NULL };
+    const fvi_matrices some = { .damping = { .apply_damping = NULL } };
     fvi_system full = system;
     full.matrices = &some;
     run.system = &full;

@@ -14,7 +14,7 @@ static int make_once(const fvi_matrices *m, const share *s)
 {
     const double c[] = { 1, 1 };
     void *factors;
-    const int status = m->factorise_dampers((size_t)s->rows, 1, c, 1, m->params, &factors);
+    const int status = m->factorise((size_t)s->rows, 1, c, 1, m->params, &factors);
     if (!status)
         m->free_factors(factors);
     return status;

@@ -70,7 +70,7 @@ START_TEST(eq_27_1_diagonal_matrices_are_masses_and_dampings)
         diagonal(dampings[which], &m.C);
         tridiagonal(D, 4, -2, &m.K);
         make(&m);
-        ck_assert_uint_eq(m.system.matrices->history_size, which ? 2 : D);
+        ck_assert_uint_eq(m.system.matrices->damping.history_size, which ? 2 : D);
         m.system.force = (fvi_force){ .value = value };
         const fvi_system plain = { .d = D,
                                    .mass = mass,
@@ -259,7 +259,7 @@ START_TEST(eq_27_8_no_motion_of_fvi_stable_grows)
         random_matrix(&seed, 3, 0.1, &m.K);
         random_matrix(&seed, 1, 0, &m.C);
         make(&m);
-        ck_assert_uint_eq(m.system.matrices->history_size, 1);
+        ck_assert_uint_eq(m.system.matrices->damping.history_size, 1);
         fvi_run run = run_of(&m.system, alphas[i % 4],
                              pow(10, i / 4 % 5 - 1), ALL, x0, p0);
         for (int by_law = 0; by_law <= 1; by_law++) {

@@ -31,7 +31,7 @@ static double lowest_mode(const matrices *m, double *v)
     const fvi_matrices *f = m->system.matrices;
     void *factors;
     double *y = malloc(d * sizeof *y), norm = 0;
-    OK(f->factorise(d, 0, 0, 1, f->params, &factors));
+    OK(f->factorise(d, 0, NULL, 1, f->params, &factors));
     for (size_t i = 0; i < d; i++)
         v[i] = 1;
     for (int k = 0; k < 30; k++) {
@@ -148,7 +148,7 @@ static void bent(const matrices *m, double *x0)
     void *factors;
     memset(x0, 0, d_few * sizeof *x0);
     x0[d_few - 2] = 1;
-    OK(f->factorise(d_few, 0, 0, 1, f->params, &factors));
+    OK(f->factorise(d_few, 0, NULL, 1, f->params, &factors));
     OK(f->solve(d_few, factors, x0));
     f->free_factors(factors);
 }

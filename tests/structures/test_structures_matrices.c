@@ -189,7 +189,7 @@ static void dense(int n, const double *lower, fvi_sparse *A)
 }
 
 /* All stages together, and each alone, to the bit. */
-static void ck_assert_stages(const fvi_matrices *f, size_t d)
+static void ck_assert_stages(const fvi_damping_matrix *f, size_t d)
 {
     enum { STAGES = 8, MOST = 9 };
     double z[STAGES * MOST], together[STAGES * MOST], alone[STAGES * MOST];
@@ -208,7 +208,7 @@ static void ck_assert_stages(const fvi_matrices *f, size_t d)
 /* S B^T x by the callbacks, against C x. */
 static void ck_assert_damps(const matrices *m, size_t history_size)
 {
-    const fvi_matrices *f = m->system.matrices;
+    const fvi_damping_matrix *f = &m->system.matrices->damping;
     const size_t d = m->C.n;
     double x[9], zero[9] = { 0 }, z[9], p[9] = { 0 }, y[9];
     ck_assert_uint_eq(f->history_size, history_size);

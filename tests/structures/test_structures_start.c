@@ -53,7 +53,7 @@ static void relative(const damper *kind, size_t places, size_t apart,
 /* |C x0|, as a run has it, over the bound for zero without its 64. */
 static double rounding(const matrices *m, const double *x0)
 {
-    const fvi_matrices *f = m->system.matrices;
+    const fvi_damping_matrix *f = &m->system.matrices->damping;
     double y[D] = { 0 }, z[D], zero[D] = { 0 }, largest = 0, worst = 0;
     OK(f->select_history(D, x0, zero, f->params, z));
     OK(f->apply_damping(D, -1, z, f->params, y));
@@ -185,10 +185,8 @@ START_TEST(a_damping_that_cannot_be_asked_says_so)
 {
     const int code = 77;
     const double one = 1;
-    const fvi_matrices few = { .history_size = 1,
-                               .select_history = select_history,
-                               .params = &code },
-                       none = { .select_history = select_history, .params = &code };
+    const fvi_matrices few = { .damping = { .history_size = 1, .select_history = select_history, .params = &code } },
+                       none = { .damping = { .select_history = select_history, .params = &code } };
     fvi_system system = {
         .d = 1, .mass = &one, .damping = &one, .matrices = &few
     };
@@ -279,7 +277,7 @@ static int products;
 static int count_products(size_t d, double a, const double *z, const void *params, double *p)
 {
     products++;
-    return counted.apply_damping(d, a, z, params, p);
+    return counted.damping.apply_damping(d, a, z, params, p);
 }
 
 /* Products with C up to the end of the first step, from the momentum p in all unknowns. */
@@ -293,7 +291,7 @@ static int products_from(const matrices *m, fvi_initial_history past, double alp
         x0[i] = p;
         p0[i] = p;
     }
-    with_count.apply_damping = count_products;
+    with_count.damping.apply_damping = count_products;
     system.matrices = &with_count;
     fvi_run run = run_of(&system, alpha, 0.1, 2, x0, p0);
     run.past = past;

@@ -20,7 +20,7 @@ typedef struct {
     size_t impulse_count;
     ...;
 } fvi_force;
-typedef struct { size_t history_size; ...; } fvi_matrices;
+typedef struct { ...; } fvi_matrices;
 typedef struct {
     size_t d;
     const double *mass, *damping;
