@@ -1,14 +1,15 @@
 /* src/expression/expression_parse.c -- Parse a text into nodes.               [H 9] */
 #include "tape.h"
 
-#include <locale.h>
+#include "system/decimal.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include <fvi/error.h>
 
-enum { MOST_NESTED = 100, MOST_NODES = 1 << 24, MOST_DIGITS = 400 };
+enum { MOST_NESTED = 100, MOST_NODES = 1 << 24 };
 
 /* A parser by recursive descent. Each function parse_... reads a piece of the text, appends its nodes, and returns the
  * number of the node that holds its value. After an error all functions do nothing and return 0, so a caller need not
@@ -172,21 +173,16 @@ static size_t count_digits(const char *at)
     return n;
 }
 
-/* Read a decimal number. 0x10 is refused. strtod expects the decimal point of the locale, so it reads a copy of the
- * number in which this sign replaces the point. */
+/* Read a decimal number. 0x10 is refused: strtod would read it, but the parser goes on at the x. */
 static int parse_number(parser *p)
 {
-    const char *from = p->at, *at = from;
-    char copy[MOST_DIGITS + 20] = "";
-    const char *point = localeconv()->decimal_point;
-    at += count_digits(at);
-    const size_t before_point = (size_t)(at - from);
-    size_t after_point = 0;
+    const char *from = p->at, *at = from + count_digits(from);
+    size_t digits = (size_t)(at - from);
     if (*at == '.') {
-        after_point = count_digits(at + 1);
-        at += 1 + after_point;
+        digits += count_digits(at + 1);
+        at += 1 + count_digits(at + 1);
     }
-    if (before_point + after_point == 0)
+    if (digits == 0)
         return refuse(p, from, "a digit is missing");
     if (*at == 'e' || *at == 'E') {
         const char *exponent = at + 1 + (at[1] == '+' || at[1] == '-');
@@ -194,17 +190,7 @@ static int parse_number(parser *p)
             return refuse(p, exponent, "the exponent is missing");
         at = exponent + count_digits(exponent);
     }
-    const size_t length = (size_t)(at - from);
-    if (length > MOST_DIGITS || strlen(point) > 10)
-        return refuse(p, from, "a number of too many digits");
-    memcpy(copy, from, before_point);
-    if (before_point < length && from[before_point] == '.') {
-        strcat(copy, point);
-        strncat(copy, from + before_point + 1, length - before_point - 1);
-    } else {
-        strncat(copy, from + before_point, length - before_point);
-    }
-    const double value = strtod(copy, NULL);
+    const double value = fvi_strtod(from, NULL);
     if (!isfinite(value))
         return refuse(p, from, "a number is too large");
     p->at = at;

@@ -1,6 +1,8 @@
 /* src/problem/rows.c -- Read rows of numbers from a file. */
 #include "rows.h"
 
+#include "system/decimal.h"
+
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
@@ -146,7 +148,7 @@ static int begins_with_word(const char *line)
     line += strspn(line, between);
     if (*line >= '0' && *line <= '9') /* for most rows this avoids strtod, which is slow */
         return 0;
-    const double value = strtod(line, &stop);
+    const double value = fvi_strtod(line, &stop);
     const int whole = *stop == '\0' || strchr(between, *stop);
     return stop == line || (!isfinite(value) && !whole);
 }

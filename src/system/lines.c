@@ -2,6 +2,8 @@
 #define _GNU_SOURCE /* for getc_unlocked */
 #include "lines.h"
 
+#include "decimal.h"
+
 #include <fvi/error.h>
 
 #include <math.h>
@@ -120,6 +122,6 @@ char *fvi_lines_decimal(char *at, char point, double *value)
     }
     if (comma)
         *comma = '.';
-    *value = strtod(at, &stop);
+    *value = fvi_strtod(at, &stop);
     return stop == end && isfinite(*value) ? end : NULL;
 }

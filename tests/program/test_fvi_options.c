@@ -5,7 +5,9 @@
 #include "output/fvi_table.h"
 #include "options/fvi_options.h"
 #include "system/seeded.h"
+#include <fvi/expression.h>
 #include <fvi/format_double.h>
+#include <fvi/parse_words.h>
 #include "options/fvi_words.h"
 
 #include <float.h>
@@ -324,14 +326,19 @@ START_TEST(digits_are_those_of_the_c_library)
 }
 END_TEST
 
-/* A number of any size has a point where the locale has a comma, too. The test makes such a locale, if it can. */
-START_TEST(digits_have_a_point_in_every_locale)
+/* A number of any size has a point where the locale has a comma, too: written, and read in an option and in an
+ * expression. The test makes such a locale, if it can. */
+START_TEST(numbers_have_a_point_in_every_locale)
 {
     static const struct {
         double v;
         const char *text;
     } some[] = { { 0.5, "0.5" }, { -1.5e300, "-1.5e+300" }, { 2.5e-300, "2.5e-300" }, { 1.5e-320, "1.5e-320" } };
     char folder[] = "/tmp/fvi_locale_XXXXXX", command[120], text[32];
+    const fvi_symbols names = { "x", 1, NULL, 0 };
+    const double one = 1;
+    double read = 0;
+    fvi_expression *e;
     ck_assert_ptr_nonnull(mkdtemp(folder));
     snprintf(command, sizeof command, "localedef -i de_DE -f ISO-8859-1 %s/comma >%s/log 2>&1", folder, folder);
     const int is_made = system(command) == 0 && setenv("LOCPATH", folder, 1) == 0 && setlocale(LC_NUMERIC, "comma");
@@ -339,7 +346,12 @@ START_TEST(digits_have_a_point_in_every_locale)
     for (size_t i = 0; i < LEN(some); i++) {
         ck_assert_int_eq(fvi_format_double(some[i].v, text), (int)strlen(some[i].text));
         ck_assert_str_eq(text, some[i].text);
+        ck_assert_int_eq(fvi_parse_number("x", some[i].text, -INFINITY, INFINITY, "()", &read, NULL), FVI_SUCCESS);
+        ck_assert(read == some[i].v);
     }
+    ck_assert_int_eq(fvi_expression_parse("1.5*x^2 + .25", &names, NULL, &e, NULL), FVI_SUCCESS);
+    ck_assert(fvi_expression_value(e, &one) == 1.75);
+    fvi_expression_free(e);
     setlocale(LC_NUMERIC, "C");
     unsetenv("LOCPATH");
     snprintf(command, sizeof command, "rm -r %s", folder);
@@ -382,7 +394,7 @@ int main(void)
     Suite *suite = suite_create("the words of fvi");
     ADD_CASE(suite, "values", defaults_are_those_of_the_manual,
              digits_are_those_of_the_c_library,
-             digits_have_a_point_in_every_locale);
+             numbers_have_a_point_in_every_locale);
     ADD_CASE(suite, "errors", random_words_are_understood_or_refused,
              the_nearest_known_word_is_named,
              only_the_mirror_asks_for_other_nodes,
