@@ -95,7 +95,8 @@ fvi_potential fvi_potential_duffing(const double cg[2])
                             .lanes = &duffing_lanes };
 }
 
-/* The harmonic potential has its own functions, because its params are one number, c. */
+/* The harmonic potential has its own functions, because its params are one number, c. Their digits are those of c x,
+ * because (c + 0 x x) x is c x. */
 static int harmonic_value(size_t d, const double *x, void *params,
                           double *value)
 {
@@ -106,10 +107,8 @@ static int harmonic_value(size_t d, const double *x, void *params,
 static int harmonic_gradient(size_t d, const double *x, void *params,
                              double *grad)
 {
-    const double c = *(const double *)params;
-    for (size_t i = 0; i < d; i++)
-        grad[i] = c * x[i];
-    return 0;
+    double cg[2] = { *(const double *)params, 0 };
+    return duffing_gradient(d, x, cg, grad);
 }
 
 static int harmonic_hessian(size_t d, const double *x, void *params, double *H)
@@ -124,24 +123,8 @@ static int always(const void *params)
     return 1;
 }
 
-/* Compute force and stiffness of the harmonic springs. The first number of each lane is c. */
-FVI_VECTORS static void slopes_of_harmonics(const fvi_lane_pairs *p, const double *x, double *f, double *slope)
-{
-#pragma omp simd
-    for (size_t l = 0; l < FVI_MOST_LANES; l++) {
-        f[l] = p->first[l] * x[l];
-        slope[l] = spring_stiffness(p->first[l], 0, x[l]);
-    }
-}
-
-static void evaluate_harmonics(const void *prepared, const double *x, const double *active, double *f, double *slope)
-{
-    double unused[FVI_MOST_LANES];
-    (void)active;
-    slopes_of_harmonics(prepared, x, f, slope ? slope : unused);
-}
-
-static const fvi_lane_functions harmonic_lanes = { fvi_lane_numbers_prepare, evaluate_harmonics, free, NULL };
+/* The second number of each lane, g, is 0. */
+static const fvi_lane_functions harmonic_lanes = { fvi_lane_numbers_prepare, evaluate_springs, free, NULL };
 
 fvi_potential fvi_potential_harmonic(const double *c)
 {
