@@ -36,41 +36,13 @@ static void format_by_trials(double v, char text[32])
 #ifdef __SIZEOF_INT128__ /* compilers for 64-bit processors have this type; others take the slow path */
 __extension__ typedef unsigned __int128 wide;
 
-static const uint64_t fives[] = { 1U,
-                                  5U,
-                                  25U,
-                                  125U,
-                                  625U,
-                                  3125U,
-                                  15625U,
-                                  78125U,
-                                  390625U,
-                                  1953125U,
-                                  9765625U,
-                                  48828125U,
-                                  244140625U,
-                                  1220703125U,
-                                  6103515625U,
-                                  30517578125U,
-                                  152587890625U,
-                                  762939453125U,
-                                  3814697265625U,
-                                  19073486328125U,
-                                  95367431640625U,
-                                  476837158203125U,
-                                  2384185791015625U,
-                                  11920928955078125U,
-                                  59604644775390625U,
-                                  298023223876953125U,
-                                  1490116119384765625U,
-                                  7450580596923828125U };
 #define SEVENTEEN 100000000000000000U /* the smallest number of 18 digits */
 
 /* The number |v| = m 2^e, scaled by a power of ten so that its integer part has 17 digits:
  *
- *   |v| 10^k = product / 2^s exactly,  product = m 5^k,  s = -(e + k),  whole = integer part */
+ *   |v| 10^k = product / 2^s exactly,  product = m 5^k,  five = 5^k,  s = -(e + k),  whole = integer part */
 typedef struct {
-    uint64_t m, whole;
+    uint64_t m, five, whole;
     wide product;
     int k, s;
 } scaled;
@@ -83,13 +55,17 @@ static int scale_to_17_digits(double v, scaled *n)
     const int e = (int)(bits >> 52 & 0x7ff) - 1075;
     n->m = (bits & 0xfffffffffffffU) | 0x10000000000000U;
     n->k = 16 - (int)floor((e + 52) * 0.30102999566398120);
-    for (
-        ;;
-        n->k--) { /* k follows from the logarithm of 2^{e+52}, not of |v|, so k may be too large by one */
+    if (n->k > 27)
+        return 0;
+    n->five = 1;
+    for (int k = 0; k < n->k; k++)
+        n->five *= 5;
+    /* k follows from the logarithm of 2^{e+52}, not of |v|, so k may be too large by one */
+    for (;; n->k--, n->five /= 5) {
         n->s = -(e + n->k);
-        if (n->k < 0 || n->k > 27 || n->s < 1 || n->s > 64)
+        if (n->k < 0 || n->s < 1 || n->s > 64)
             return 0;
-        n->product = (wide)n->m * fives[n->k];
+        n->product = (wide)n->m * n->five;
         const wide whole = n->product >> n->s;
         n->whole = (uint64_t)whole;
         if (whole < SEVENTEEN)
@@ -115,7 +91,7 @@ static int is_near(const scaled *n, uint64_t digits)
     const int below = there < n->product && n->m == 0x10000000000000U;
     const wide off =
         there < n->product ? n->product - there : there - n->product;
-    return off * (below ? 4 : 2) < fives[n->k];
+    return off * (below ? 4 : 2) < n->five;
 }
 
 /* Write the digits as the format %g would, without zeros at the end. */
