@@ -76,27 +76,23 @@ int fvi_solve_matrix(size_t n, double *A, double *r, size_t *order)
     return FVI_SUCCESS;
 }
 
-/* Replace the equation of each coordinate without inertia by a row of the unit matrix with right side 0, so that
- * Newton's method leaves its velocity unchanged. */
-static void leave_out_massless(size_t d, double *Lvv, double *r)
-{
-    for (size_t i = 0; i < d; i++) {
-        int has_inertia = 0;
-        for (size_t j = 0; j < d; j++)
-            has_inertia |= Lvv[i * d + j] != 0 || Lvv[j * d + i] != 0;
-        if (has_inertia)
-            continue;
-        Lvv[i * d + i] = 1;
-        r[i] = 0;
-    }
-}
-
 static int row_is_zero(size_t d, const double *Lvv, size_t i)
 {
     for (size_t j = 0; j < d; j++)
         if (Lvv[i * d + j] != 0 || Lvv[j * d + i] != 0)
             return 0;
     return 1;
+}
+
+/* Replace the equation of each coordinate without inertia by a row of the unit matrix with right side 0, so that
+ * Newton's method leaves its velocity unchanged. */
+static void leave_out_massless(size_t d, double *Lvv, double *r)
+{
+    for (size_t i = 0; i < d; i++)
+        if (row_is_zero(d, Lvv, i)) {
+            Lvv[i * d + i] = 1;
+            r[i] = 0;
+        }
 }
 
 int fvi_inertia_at_rest(const fvi_system *s, double t, const double *x, const double *v,
