@@ -63,21 +63,19 @@ static void update_half_bandwidth(fvi_expression *e, const term *t)
                 e->half_bandwidth = (size_t)(t->coordinate[i] - t->coordinate[j]);
 }
 
-/* Replace the arrays of the term by copies of their exact length. Return 0 if there is no memory. */
+/* Replace the arrays of the term by copies of their exact length, in one block that begins at t->node. Return 0 if there
+ * is no memory. */
 static int shrink_term(term *t)
 {
-    fvi_node *node = malloc(t->count * sizeof *node);
-    int *coordinate = malloc((t->coordinates + 1) * sizeof *coordinate);
-    if (node && coordinate) {
-        memcpy(node, t->node, t->count * sizeof *node);
-        memcpy(coordinate, t->coordinate, t->coordinates * sizeof *coordinate);
-        t->node = node;
-        t->coordinate = coordinate;
-        return 1;
-    }
-    free(node);
-    free(coordinate);
-    return 0;
+    fvi_node *node = malloc(t->count * sizeof *node + t->coordinates * sizeof *t->coordinate);
+    if (!node)
+        return 0;
+    int *coordinate = (int *)(node + t->count);
+    memcpy(node, t->node, t->count * sizeof *node);
+    memcpy(coordinate, t->coordinate, t->coordinates * sizeof *coordinate);
+    t->node = node;
+    t->coordinate = coordinate;
+    return 1;
 }
 
 /* Make a term from the tree under the root. */
@@ -205,40 +203,29 @@ static int parse_in(const char *text, const fvi_symbols *names,
                     fvi_misprint *wrong)
 {
     fvi_misprint place = { 0, "not enough memory" };
-    builder *w = malloc(sizeof *w); /* no calloc, because the tape is long */
-    fvi_expression *new = calloc(1, sizeof *new);
-    if (w) {
-        w->node = NULL;
-        w->count = 0;
-        w->status = FVI_SUCCESS;
-    }
-    int status = w && new ? fvi_parse(text, names, state, finder, &w->node,
-                                      &w->count, &place)
-                          : FVI_ENOMEM;
+    builder w = { .e = calloc(1, sizeof *w.e) };
+    int status = w.e ? fvi_parse(text, names, state, finder, &w.node, &w.count, &place) : FVI_ENOMEM;
     if (!status) {
-        const int root = (int)w->count - 1;
-        *new = (fvi_expression){ .d = variables(names, state),
+        const int root = (int)w.count - 1;
+        *w.e = (fvi_expression){ .d = variables(names, state),
                                  .values = values,
-                                 .degree = w->node[root].degree };
-        w->e = new;
-        w->room = w->count;
-        if (new->d > 1 && !finder)
-            distribute_factor(w, root, ONE);
+                                 .degree = w.node[root].degree };
+        w.room = w.count;
+        if (w.e->d > 1 && !finder)
+            distribute_factor(&w, root, ONE);
         else
-            add_term(w, root);
-        if ((status = w->status))
+            add_term(&w, root);
+        if ((status = w.status))
             place = (fvi_misprint){ 0, "a term is too long" };
     }
-    if (w)
-        free(w->node);
-    free(w);
+    free(w.node);
     if (status) {
-        fvi_expression_free(new);
+        fvi_expression_free(w.e);
         if (wrong)
             *wrong = place;
         return status;
     }
-    *e = new;
+    *e = w.e;
     return FVI_SUCCESS;
 }
 
@@ -277,10 +264,8 @@ int fvi_expression_parse_of(const char *text, const fvi_name_finder *finder,
 
 void fvi_expression_free(fvi_expression *e)
 {
-    for (size_t i = 0; e && i < e->count; i++) {
+    for (size_t i = 0; e && i < e->count; i++)
         free(e->terms[i].node);
-        free(e->terms[i].coordinate);
-    }
     if (e)
         free(e->terms);
     free(e);
