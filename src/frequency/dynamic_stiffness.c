@@ -11,30 +11,16 @@
 
 /* ---- the pattern of the sum ---- */
 
-static int allocate_places(fvi_response *r)
-{
-    for (size_t l = 0; l < r->terms; l++) {
-        const size_t count = (size_t)r->term[l].matrix->start[r->d];
-        if (!(r->term[l].place = malloc((count + 1) * sizeof(int))))
-            return FVI_ENOMEM;
-    }
-    return FVI_SUCCESS;
-}
-
 /* Find the union of the patterns of all terms. */
 static int find_union(fvi_response *r)
 {
     const fvi_sparse **matrix = malloc(r->terms * sizeof *matrix);
-    int **place = malloc(r->terms * sizeof *place),
-        status = matrix && place ? allocate_places(r) : FVI_ENOMEM;
-    for (size_t l = 0; !status && l < r->terms; l++) {
+    if (!matrix)
+        return FVI_ENOMEM;
+    for (size_t l = 0; l < r->terms; l++)
         matrix[l] = r->term[l].matrix;
-        place[l] = r->term[l].place;
-    }
-    if (!status)
-        status = fvi_sparse_union(r->terms, matrix, place, &r->start, &r->row);
+    const int status = fvi_sparse_union(r->d, r->terms, matrix, &r->place, &r->start, &r->row);
     free(matrix);
-    free(place);
     return status;
 }
 
@@ -65,6 +51,7 @@ void fvi_stiffness_at(fvi_response *r, double complex s, double e)
     if (r->is_evaluated && r->s == s && r->e == e)
         return;
     memset(r->Z, 0, 2 * entries * sizeof *r->Z);
+    const int *place = r->place;
     for (size_t l = 0; l < r->terms; l++) {
         const fvi_stiffness_term *t = &r->term[l];
         double complex factor = l == 0 ? s * s : 1, slope = l == 0 ? 2 * s : 0;
@@ -73,9 +60,9 @@ void fvi_stiffness_at(fvi_response *r, double complex s, double e)
             slope *= e / s; /* fvi_kernel_at gives s times the derivative */
         }
         const int count = t->matrix->start[r->d];
-        for (int i = 0; i < count; i++) {
-            r->Z[t->place[i]] += factor * t->matrix->entry[i];
-            r->slope[t->place[i]] += slope * t->matrix->entry[i];
+        for (int i = 0; i < count; i++, place++) {
+            r->Z[*place] += factor * t->matrix->entry[i];
+            r->slope[*place] += slope * t->matrix->entry[i];
         }
     }
     r->s = s;

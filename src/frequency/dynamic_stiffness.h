@@ -12,13 +12,12 @@
 /* Up to this number of unknowns Z has dense factors, and a determinant. */
 enum { FVI_ALWAYS_DENSE = 24 };
 
-/* A term of the sum, with its matrix M, K or B_j. Entry e of the matrix is added to entry place[e] of the sum. */
+/* A term of the sum, with its matrix M, K or B_j. */
 typedef struct {
     fvi_sparse owned;        /* empty if the matrix belongs to the caller */
     const fvi_sparse *matrix;
     const fvi_kernel *kernel; /* of a damping; NULL for M and K */
     double *gradient;         /* of the elongation of a damper, d numbers; NULL for all others; owned */
-    int *place;
     double norm;              /* Frobenius norm of the matrix */
 } fvi_stiffness_term;
 
@@ -29,6 +28,7 @@ struct fvi_response {
     fvi_kernel_term power;    /* D^{2 alpha} as a law */
     fvi_kernel powers;
     int *start, *row;         /* pattern of the sum, by columns */
+    int *place;               /* the position in the sum of each entry of each term, one term after another */
     double complex *Z, *slope; /* entries of Z and of Z' */
     double complex *full;      /* all entries of Z, if its factors are dense */
     double complex s;         /* the s of these entries */

@@ -68,11 +68,11 @@ void fvi_response_free(fvi_response *r)
     for (size_t l = 0; l < r->terms; l++) {
         fvi_sparse_free(&r->term[l].owned);
         free(r->term[l].gradient);
-        free(r->term[l].place);
     }
     fvi_complex_factors_free(r->factors);
     free(r->term);
     free(r->along);
+    free(r->place);
     free(r->start);
     free(r->row);
     free(r->Z);

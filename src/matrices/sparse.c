@@ -157,38 +157,67 @@ static int next_row_of_columns(size_t j, size_t count, const fvi_sparse *const *
     return row;
 }
 
-/* Merge the columns j of all matrices. `to` is the beginning of column j in the sum. Return its end. */
-static int add_column(size_t j, size_t count, const fvi_sparse *const *A,
-                      const double *a, int *at, fvi_sparse *sum, int to)
+/* The rows of a column increase in each matrix, so the columns are merged. */
+int fvi_sparse_union(size_t n, size_t count, const fvi_sparse *const *A, int **place, int **start, int **row)
 {
+    size_t most = 0;
     for (size_t l = 0; l < count; l++)
-        at[l] = A[l]->start[j];
-    for (int row; (row = next_row_of_columns(j, count, A, at)) < INT_MAX;) {
-        double entry = 0;
+        most += (size_t)A[l]->start[n];
+    int *at = malloc((count + 1) * sizeof *at), to = 0;
+    *place = malloc((most + 1) * sizeof **place);
+    *start = calloc(n + 1, sizeof **start);
+    *row = malloc((most + 1) * sizeof **row);
+    const int status = at && *place && *start && *row && most < INT_MAX ? FVI_SUCCESS : FVI_ENOMEM;
+    for (size_t j = 0; !status && j < n; j++) {
         for (size_t l = 0; l < count; l++)
-            if (at[l] < A[l]->start[j + 1] && A[l]->row[at[l]] == row)
-                entry += a[l] * A[l]->entry[at[l]++];
-        if (entry == 0 && row != (int)j) /* a stored zero would widen the band */
-            continue;
-        sum->row[to] = row;
-        sum->entry[to++] = entry;
+            at[l] = A[l]->start[j];
+        for (int next; (next = next_row_of_columns(j, count, A, at)) < INT_MAX; to++) {
+            int *of = *place;
+            for (size_t l = 0; l < count; of += A[l++]->start[n])
+                if (at[l] < A[l]->start[j + 1] && A[l]->row[at[l]] == next)
+                    of[at[l]++] = to;
+            (*row)[to] = next;
+        }
+        (*start)[j + 1] = to;
     }
-    return to;
+    free(at);
+    return status;
 }
 
-/* Add matrices that are not NULL, with factors that are not 0. */
-static int add_terms(size_t n, size_t count, const fvi_sparse *const *A, const double *a,
-                     fvi_sparse *sum)
+/* Remove the zeros off the diagonal, because a stored zero would widen the band. */
+static void remove_zeros(fvi_sparse *A)
 {
-    size_t entries = 0;
-    for (size_t l = 0; l < count; l++)
-        entries += (size_t)A[l]->start[n];
-    int *at = calloc(count + 1, sizeof *at);
-    int status = !at || entries >= INT_MAX ? FVI_ENOMEM
-                                           : fvi_sparse_alloc(n, entries, sum);
-    for (size_t j = 0; !status && j < n; j++)
-        sum->start[j + 1] = add_column(j, count, A, a, at, sum, sum->start[j]);
-    free(at);
+    int to = 0;
+    for (int j = 0, e = 0; j < (int)A->n; j++) {
+        for (; e < A->start[j + 1]; e++) {
+            if (A->entry[e] == 0 && A->row[e] != j)
+                continue;
+            A->row[to] = A->row[e];
+            A->entry[to++] = A->entry[e];
+        }
+        A->start[j + 1] = to;
+    }
+}
+
+/* Add matrices that are not NULL. */
+static int add_terms(size_t n, size_t count, const fvi_sparse *const *A, const double *a, fvi_sparse *sum)
+{
+    int *place;
+    *sum = (fvi_sparse){ .n = n };
+    int status = fvi_sparse_union(n, count, A, &place, &sum->start, &sum->row);
+    if (!status)
+        sum->entry = calloc((size_t)sum->start[n] + 1, sizeof *sum->entry);
+    if (sum->entry) {
+        const int *to = place;
+        for (size_t l = 0; l < count; l++)
+            for (int e = 0; e < A[l]->start[n]; e++)
+                sum->entry[*to++] += a[l] * A[l]->entry[e];
+        remove_zeros(sum);
+    } else {
+        fvi_sparse_free(sum);
+        status = FVI_ENOMEM;
+    }
+    free(place);
     return status;
 }
 

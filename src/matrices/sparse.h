@@ -27,15 +27,13 @@ size_t fvi_sparse_line(const char *file, int row, int column);
 int fvi_sparse_add(size_t count, const fvi_sparse *const *A, const double *a,
                    fvi_sparse *sum);
 
-/* fvi_sparse_union -- Compute the pattern of the sum of `count` >= 1 matrices of one size.
+/* fvi_sparse_union -- Compute the pattern of the sum of `count` matrices with n rows.
  *
- *   place       output: for each matrix the positions of its entries: entry e of matrix l is at place[l][e] in the sum.
- *               The caller allocates these arrays
- *   start, row  outputs, compressed columns; the caller frees both, also after an error
+ *   place       output: the positions of all entries in the sum, those of A[0] first, then those of A[1] and so on
+ *   start, row  outputs, compressed columns
  *
- * Return FVI_SUCCESS or FVI_ENOMEM. */
-int fvi_sparse_union(size_t count, const fvi_sparse *const *A, int *const *place,
-                     int **start, int **row);
+ * The caller frees the outputs, also after an error. Return FVI_SUCCESS or FVI_ENOMEM. */
+int fvi_sparse_union(size_t n, size_t count, const fvi_sparse *const *A, int **place, int **start, int **row);
 
 /* fvi_sparse_half_band -- Return the largest |i - j| of a stored entry. */
 size_t fvi_sparse_half_band(const fvi_sparse *A);

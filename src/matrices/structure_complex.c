@@ -128,29 +128,21 @@ static int eliminate_bands(const complex_terms *terms, complex_solver *c)
     return factorise_lanes(c->n, c->w, c->band);
 }
 
-/* Write the entries of sum i. Entry e of matrix l is at place[l][e] in the pattern. */
-static void add_entries(const complex_terms *terms, size_t i, int *const *place, complex_solver *c)
+/* Write the entries of sum i. `place` has the positions of the entries of all matrices, as fvi_sparse_union gives them. */
+static void add_entries(const complex_terms *terms, size_t i, const int *place, complex_solver *c)
 {
     memset(c->entry, 0, (size_t)c->start[c->n] * sizeof *c->entry);
     for (size_t l = 0; l < terms->count; l++) {
         const double *factor = factor_of(terms, i, l);
         for (int e = 0; e < terms->matrix[l]->start[c->n]; e++)
-            c->entry[place[l][e]] += (factor[0] + I * factor[1]) * terms->matrix[l]->entry[e];
+            c->entry[*place++] += (factor[0] + I * factor[1]) * terms->matrix[l]->entry[e];
     }
 }
 
 /* Factorise all sums with one pattern. */
 static int factorise_sparse(const complex_terms *terms, complex_solver *c)
 {
-    size_t entries = 0;
-    for (size_t l = 0; l < terms->count; l++)
-        entries += (size_t)terms->matrix[l]->start[c->n];
-    int **place = malloc(terms->count * sizeof *place), *room = malloc((entries + 1) * sizeof *room), *next = room,
-        status = place && room ? FVI_SUCCESS : FVI_ENOMEM;
-    for (size_t l = 0; !status && l < terms->count; next += terms->matrix[l++]->start[c->n])
-        place[l] = next;
-    if (!status)
-        status = fvi_sparse_union(terms->count, terms->matrix, place, &c->start, &c->row);
+    int *place, status = fvi_sparse_union(c->n, terms->count, terms->matrix, &place, &c->start, &c->row);
     if (!status) {
         c->entry = malloc(((size_t)c->start[c->n] + 1) * sizeof *c->entry);
         c->right = malloc(c->n * sizeof *c->right);
@@ -164,7 +156,6 @@ static int factorise_sparse(const complex_terms *terms, complex_solver *c)
             status = fvi_complex_factors_of(c->factors[i], c->entry);
     }
     free(place);
-    free(room);
     return status;
 }
 
