@@ -1,11 +1,13 @@
-/* chapters/play/strtod.c -- A number from text.
+/* chapters/play/strtod.c -- A number from text, in place of src/system/decimal.c: a page has no locale.
  *
  * wasi-libc's is 4 kB and wants a file system. This rounds right up to 15 digits with a power
  * of ten up to 22 either way, where both numbers are exact; beyond, to some units in the last
  * place. */
-#include <stdlib.h>
+#include "system/decimal.h"
 
-double strtod(const char *restrict text, char **restrict end)
+#include <stddef.h>
+
+double fvi_strtod(const char *text, char **end)
 {
     double digits = 0, scale = 1;
     int power = 0, exponent = 0, sign = 1, after = 0;
