@@ -26,7 +26,7 @@ ABSENT = [*wasm.ABSENT, *"""fvi_kernel_poles fvi_history_tiled_alloc fvi_history
     fvi_adjoint_structure_jump fvi_adjoint_structure_mesh fvi_adjoint_structure_start fvi_adjoint_structure_step
     fvi_lobatto_matrices_of fvi_stage_dampers_tolerance fvi_stage_terms_start fvi_stage_terms_stop fvi_tangent_stages_step""".split()]
 BUILDING = [PLAY / "gsl.c", HERE / "gsl_modes.c", HERE / "building.c"]
-BUILDING_MODULES = """structures structure_dampers sparse factors history_space convolution_quadrature_methods convolution_quadrature_dampers
+BUILDING_MODULES = """structures structure_dampers damping_matrix sparse factors history_space convolution_quadrature_methods convolution_quadrature_dampers
     damping damping_matrices damping_sums initial_history_force kernel_history kernel_modes kernel_classes kernel_fractions symbol_poles kernel_sums kernel_general damping_laws
     coefficients convolution_quadrature history_direct history_modes memory memory_nodes past newton newton_stages band lu
     dampers_check run_check run_damper solution trajectory impulses error system lagrangian""".split()
