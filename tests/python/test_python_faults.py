@@ -194,6 +194,7 @@ def test_the_code_of_a_compiled_function_is_said():
     (lambda: fvi.run(Mass=2), TypeError, "^run: .* did you mean 'mass'"),
     (lambda: fvi.run(colums="t"), TypeError, "^run: .* did you mean 'columns'"),
     (lambda: fvi.run(qqq=1), TypeError, "^run: there is no argument 'qqq'; there are .*alpha, rho"),
+    (lambda: fvi.sweep(qqq=1), TypeError, "^sweep: there is no argument 'qqq'; there are problem, (?!.*problem).*t_eval"),
     (lambda: fvi.Stepper(stepps=3), TypeError, "^Stepper: .* did you mean 'steps'"),
     (lambda: fvi.Stepper(columns="t"), TypeError, "^Stepper: there is no argument 'columns'"),
     (lambda: fvi.fit([1], [1], sigme=3), TypeError, "^fit: .* did you mean 'sigma'"),

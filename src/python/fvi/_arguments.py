@@ -24,9 +24,9 @@ def spelt(*others: Callable, hints: Mapping[str, str] = {}, elsewhere: Mapping[s
     nearest that there is; hints has words that are known by another name, elsewhere those of other functions."""
     def decorate(function: F) -> F:
         all_of: tuple[Callable, ...] = (function, *others)
-        known = [name for each in all_of
-                 for name, p in inspect.signature(each).parameters.items()
-                 if p.kind in (p.POSITIONAL_OR_KEYWORD, p.KEYWORD_ONLY) and name != "self"]
+        known = list(dict.fromkeys(name for each in all_of  # several functions may have the same argument
+                                   for name, p in inspect.signature(each).parameters.items()
+                                   if p.kind in (p.POSITIONAL_OR_KEYWORD, p.KEYWORD_ONLY) and name != "self"))
         own = function.__qualname__.replace(".__init__", "")
 
         @functools.wraps(function)
