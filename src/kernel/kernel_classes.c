@@ -184,44 +184,39 @@ const size_t fvi_kernel_class_count = sizeof fvi_kernel_classes / sizeof *fvi_ke
 
 /* ---- their words ---- */
 
-/* The three lists below have a row for each word, and the last formula is that of a SYMBOL. */
+/* The table of all words, but for symbol: a word, the letters of its numbers, its formula, its kind, and the members of
+ * fvi_kernel_word behind the kind. The three lists below are made of it. The dashpot is the first word, but the spring
+ * is the first fvi_element. */
+#define DASHPOT(row) row("viscous", "R", "R s, a dashpot: the force R x'", FVI_KERNEL_POWER, "R >= 0", NULL, 0.5)
+#define SPRING(row) row("spring", "K", "K, a spring that is not stretched at x0", FVI_KERNEL_POWER, "K >= 0", "k", 0)
+#define OTHER_WORDS(row)                                                                                               \
+    row("power", "R,A", "R s^{2A}, a springpot: R D^{2A}", FVI_KERNEL_POWER, "R >= 0 and 0 <= A <= 1", NULL, 0)        \
+    row("zener", "R,A,T", "R s^{2A}/(1 + T s^{2A})", FVI_KERNEL_ZENER, "R, T >= 0 and 0 <= A <= 1", NULL, 0)           \
+    row("maxwell", "R,T", "R s/(1 + T s), a dashpot and a spring R/T in series", FVI_KERNEL_MAXWELL, "R, T >= 0",      \
+        NULL, 0)                                                                                                       \
+    row("maxwell2", "R1,A,R2,B", "1/(1/(R1 s^{2A}) + 1/(R2 s^{2B})), springpots in series", FVI_KERNEL_MAXWELL2,       \
+        "R1, R2 >= 0 and A, B in [0, 1]", NULL, 0)                                                                     \
+    row("davidson", "R,A,T", "R (s/(1 + T s))^{2A}, of Cole and Davidson", FVI_KERNEL_DAVIDSON,                        \
+        "R, T >= 0 and 0 <= A <= 1", NULL, 0)                                                                          \
+    row("distributed", "R,A,B", "the integral of R s^{2a} over a from A to B", FVI_KERNEL_DISTRIBUTED,                 \
+        "R >= 0 and 0 <= A < B <= 1", NULL, 0)                                                                         \
+    row("havriliak", "R,A,T,B", "R s^{2A}/(1 + T s^{2A})^B, of Havriliak and Negami", FVI_KERNEL_HAVRILIAK,            \
+        "R, T >= 0, 0 <= 2A <= 1 and 0 < B <= 1; for 2A > 1 it has a branch point off the cut", NULL, 0)
+
+#define FORMULA(word, letters, formula, kind, range, first, alpha) { word ":" letters, formula },
+#define KIND(word, letters, formula, kind, range, first, alpha) { kind, range, first, alpha },
+#define WORD(word, letters, formula, kind, range, first, alpha) word,
+
 const fvi_formula fvi_law_formulas[] = {
-    { "viscous:R", "R s, a dashpot: the force R x'" },
-    { "spring:K", "K, a spring that is not stretched at x0" },
-    { "power:R,A", "R s^{2A}, a springpot: R D^{2A}" },
-    { "zener:R,A,T", "R s^{2A}/(1 + T s^{2A})" },
-    { "maxwell:R,T", "R s/(1 + T s), a dashpot and a spring R/T in series" },
-    { "maxwell2:R1,A,R2,B", "1/(1/(R1 s^{2A}) + 1/(R2 s^{2B})), springpots in series" },
-    { "davidson:R,A,T", "R (s/(1 + T s))^{2A}, of Cole and Davidson" },
-    { "distributed:R,A,B", "the integral of R s^{2a} over a from A to B" },
-    { "havriliak:R,A,T,B", "R s^{2A}/(1 + T s^{2A})^B, of Havriliak and Negami" },
+    DASHPOT(FORMULA) SPRING(FORMULA) OTHER_WORDS(FORMULA)
     { "symbol:C", "C, an expression in s; it stands alone" },
     { NULL, NULL },
 };
 
-const fvi_kernel_word fvi_kernel_words[] = {
-    { FVI_KERNEL_POWER, "R >= 0", NULL, 0.5 },
-    { FVI_KERNEL_POWER, "K >= 0", "k", 0 },
-    { FVI_KERNEL_POWER, "R >= 0 and 0 <= A <= 1", NULL, 0 },
-    { FVI_KERNEL_ZENER, "R, T >= 0 and 0 <= A <= 1", NULL, 0 },
-    { FVI_KERNEL_MAXWELL, "R, T >= 0", NULL, 0 },
-    { FVI_KERNEL_MAXWELL2, "R1, R2 >= 0 and A, B in [0, 1]", NULL, 0 },
-    { FVI_KERNEL_DAVIDSON, "R, T >= 0 and 0 <= A <= 1", NULL, 0 },
-    { FVI_KERNEL_DISTRIBUTED, "R >= 0 and 0 <= A < B <= 1", NULL, 0 },
-    { FVI_KERNEL_HAVRILIAK, "R, T >= 0, 0 <= 2A <= 1 and 0 < B <= 1; for 2A > 1 it has a branch point off the cut",
-      NULL, 0 },
-};
+const fvi_kernel_word fvi_kernel_words[] = { DASHPOT(KIND) SPRING(KIND) OTHER_WORDS(KIND) };
 const size_t fvi_kernel_word_count = sizeof fvi_kernel_words / sizeof *fvi_kernel_words;
 
-/* In the order of fvi_element: the spring stands before the dashpot. */
-const char *const fvi_element_words[] = { "spring",   "viscous",     "power",     "zener", "maxwell", "maxwell2",
-                                          "davidson", "distributed", "havriliak", NULL };
-
-_Static_assert(sizeof fvi_law_formulas / sizeof *fvi_law_formulas
-                       == sizeof fvi_kernel_words / sizeof *fvi_kernel_words + 2
-                   && sizeof fvi_element_words / sizeof *fvi_element_words
-                          == sizeof fvi_kernel_words / sizeof *fvi_kernel_words + 1,
-               "a word has a row in each list");
+const char *const fvi_element_words[] = { SPRING(WORD) DASHPOT(WORD) OTHER_WORDS(WORD) NULL };
 
 size_t fvi_kernel_word_numbers(size_t i)
 {
