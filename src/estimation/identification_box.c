@@ -3,6 +3,7 @@
 
 #include <fvi/rheology.h>
 
+#include "kernel/kernel_classes.h"
 #include "system/fail.h"
 #include "system/larger.h"
 #include "system/system_check.h"
@@ -85,8 +86,8 @@ double fvi_estimation_first_step(const fvi_estimation *fit)
     return h;
 }
 
-/* Find a plausible range for a parameter of a law: an amplitude as that of a springpot, a time near 1/w, or an
- * order. */
+/* Find a plausible range for a parameter of a law: an amplitude as that of a springpot, a time near 1/w, or near the
+ * power of 1/w that is its unit, or an order. */
 static void find_plausible_range_of_law(const fvi_estimation *fit, size_t j, double m, double w,
                                         double *low, double *high)
 {
@@ -94,7 +95,8 @@ static void find_plausible_range_of_law(const fvi_estimation *fit, size_t j, dou
     const fvi_kernel *law =
         fvi_estimation_law(fit->run, fvi_free_parameter_index(fit->which[j]));
     const fvi_kernel_term *t = &law->term[which / 4];
-    const double order = t->kind == FVI_KERNEL_MAXWELL ? 1 : 2 * t->alpha;
+    const double order = t->kind == FVI_KERNEL_MAXWELL ? 1 : 2 * t->alpha,
+                 power = fvi_kernel_classes[t->kind]->has_time ? 1 : order;
     if (fvi_estimation_kind_of(fit, j) == FVI_ESTIMATION_ORDER) {
         fvi_estimation_range(fit, j, low, high);
         *low = 0.02 * *high;
@@ -103,8 +105,8 @@ static void find_plausible_range_of_law(const fvi_estimation *fit, size_t j, dou
         *low = m * pow(w, 2 - order) / 50;
         *high = m * pow(w, 2 - order) * 2;
     } else {
-        *low = pow(w, -order) / 30;
-        *high = pow(w, -order) * 30;
+        *low = pow(w, -power) / 30;
+        *high = pow(w, -power) * 30;
     }
 }
 

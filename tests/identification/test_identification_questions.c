@@ -83,10 +83,40 @@ START_TEST(the_box_holds_the_truth)
 }
 END_TEST
 
+/* In another unit of time, 1000 times as many seconds, a number of a law has 1000^p times its value, and so has its
+ * box: p = 1 for the time of MAXWELL and DAVIDSON, 2 alpha for that of ZENER and HAVRILIAK, and 2 alpha - 2 for rho. */
+START_TEST(the_box_of_a_law_has_the_units_of_its_numbers)
+{
+    static const fvi_kernel_term terms[] = { { FVI_KERNEL_MAXWELL, 1, 0, 1, 0 },
+                                             { FVI_KERNEL_DAVIDSON, 1, 0.2, 1, 0 },
+                                             { FVI_KERNEL_ZENER, 1, 0.2, 1, 0 },
+                                             { FVI_KERNEL_HAVRILIAK, 1, 0.2, 1, 0.6 } };
+    static const double of_rho[] = { -1, -1.6, -1.6, -1.6 }, of_time[] = { 1, 1, 0.4, 0.4 };
+    static const fvi_free_parameter which[] = { FVI_FREE_PARAMETER_LAW, FVI_FREE_PARAMETER_LAW + 2 };
+    for (size_t i = 0; i < LEN(terms); i++) {
+        const fvi_kernel law = { 1, &terms[i] };
+        double low[2], high[2], low_slow[2], high_slow[2];
+        question q;
+        ask(&q, ref_low, 2);
+        q.run.law = &law;
+        q.fit.which = which;
+        ck_assert_int_eq(fvi_estimate_box(&q.fit, low, high), FVI_SUCCESS);
+        for (size_t k = 0; k < REF_POINTS; k++)
+            q.t[k] *= 1000;
+        ck_assert_int_eq(fvi_estimate_box(&q.fit, low_slow, high_slow), FVI_SUCCESS);
+        for (size_t j = 0; j < 2; j++) {
+            const double factor = pow(1000, j ? of_time[i] : of_rho[i]);
+            ck_assert_near(low_slow[j] / low[j] / factor, 1, 1e-9, "kind %d, number %zu", (int)terms[i].kind, j);
+            ck_assert_near(high_slow[j] / high[j] / factor, 1, 1e-9, "kind %d, number %zu", (int)terms[i].kind, j);
+        }
+    }
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("what can be asked");
     ADD_CASE(suite, "questions", fit_refuses_what_cannot_be_asked,
-             the_box_holds_the_truth);
+             the_box_holds_the_truth, the_box_of_a_law_has_the_units_of_its_numbers);
     return run_suite(suite);
 }
