@@ -8,6 +8,7 @@
 #include "observer/observer_column.h"
 #include "observer/observer_ramp.h"
 #include "system/larger.h"
+#include "system/one_sided.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -77,9 +78,8 @@ static int evaluate(const changed_run *o, int has_start, double *L)
 
 /* ---- difference quotients ---- */
 
-/* The weights of order 6, for points around the number, or on one side of it. */
-static const double central[] = { 0, 3. / 4, -3. / 20, 1. / 60 },
-                    one_sided[] = { -49. / 20, 6, -15. / 2, 20. / 3, -15. / 4, 6. / 5, -1. / 6 };
+/* The weights of order 6 for points around the number. One side of it has those of fvi_one_sided. */
+static const double central[] = { 0, 3. / 4, -3. / 20, 1. / 60 };
 
 /* On which side of the number the seven points must lie so that no border lies between them: +1, -1, or 0 for both
  * sides. */
@@ -101,7 +101,7 @@ static int differentiate(const changed_run *o, double *number, double step, int 
     double sum = 0;
     int status = FVI_SUCCESS;
     for (int i = side ? 0 : -3; i <= (side ? 6 : 3) && !status; i++) {
-        const double weight = side ? side * one_sided[i] : i < 0 ? -central[-i] : central[i];
+        const double weight = side ? side * fvi_one_sided[i] : i < 0 ? -central[-i] : central[i];
         double L = 0;
         *number = at + (side ? side : 1) * i * step;
         if (weight != 0)

@@ -5,6 +5,7 @@
 #include "symbol_poles.h"
 #include "system/fail.h"
 #include "system/larger.h"
+#include "system/one_sided.h"
 
 #include <complex.h>
 #include <gsl/gsl_math.h>
@@ -153,8 +154,7 @@ int fvi_kernel_moduli(const fvi_kernel *law, double omega, double *storage,
  * time is a part of the time. At time = 0 it is a part of 1/|C| or of 1/|s|, and the differences have order 6. */
 double complex fvi_symbol_by_differences(const fvi_kernel_term *term, double complex s, size_t field)
 {
-    static const double central[] = { 4. / 5, -1. / 5, 4. / 105, -1. / 280 },
-                        ahead[] = { -49. / 20, 6, -15. / 2, 20. / 3, -15. / 4, 6. / 5, -1. / 6 };
+    static const double central[] = { 4. / 5, -1. / 5, 4. / 105, -1. / 280 };
     fvi_kernel_term t = *term;
     const fvi_kernel law = { 1, &t };
     double *const number = field == 1 ? &t.alpha : field == 2 ? &t.time : &t.end, at = *number;
@@ -166,7 +166,7 @@ double complex fvi_symbol_by_differences(const fvi_kernel_term *term, double com
     double complex sum = 0;
     for (int i = 0; i <= 6 && is_size && at == 0; i++) {
         *number = i * step;
-        sum += ahead[i] * fvi_kernel_at(&law, s, NULL);
+        sum += fvi_one_sided[i] * fvi_kernel_at(&law, s, NULL);
     }
     for (int i = -4; i <= 4 && !(is_size && at == 0); i++) {
         *number = at + i * step;
