@@ -22,7 +22,13 @@ typedef struct {
     double below; /* half of the order below the fraction bar; alpha for a power */
 } fvi_kernel_simple;
 
-/* fvi_kernel_is_power -- Return 1 if the law is one power of s. */
+/* fvi_kernel_term_is_power -- Return 1 if a term is rho s^{2 alpha}: a POWER, or a ZENER with time = 0. */
+static inline int fvi_kernel_term_is_power(const fvi_kernel_term *t)
+{
+    return t->kind == FVI_KERNEL_POWER || (t->kind == FVI_KERNEL_ZENER && t->time == 0);
+}
+
+/* fvi_kernel_is_power -- Return 1 if the law is one POWER. A law of one ZENER with time = 0 is still a law. */
 static inline int fvi_kernel_is_power(const fvi_kernel *law)
 {
     return law->count == 1 && law->term->kind == FVI_KERNEL_POWER;

@@ -11,12 +11,6 @@
 
 /* ---- terms of a kernel ---- */
 
-static int is_power(const fvi_kernel_term *t)
-{
-    return t->kind == FVI_KERNEL_POWER
-           || (t->kind == FVI_KERNEL_ZENER && t->time == 0);
-}
-
 static int is_active(const fvi_kernel *kernel)
 {
     for (size_t i = 0; i < kernel->count; i++)
@@ -51,10 +45,10 @@ int fvi_mechanism_check_stretch(const fvi_kernel *kernel, size_t j, fvi_error *e
 {
     for (size_t i = 0; i < kernel->count; i++) {
         const fvi_kernel_term *t = &kernel->term[i];
-        if (t->rho != 0 && (!is_power(t) || t->alpha > 0.5))
+        if (t->rho != 0 && (!fvi_kernel_term_is_power(t) || t->alpha > 0.5))
             return fvi_at_index(error, j,
-                                fvi_fail(error, is_power(t) ? FVI_EDOM : FVI_EUNSUP, "damper", (double)j + 1,
-                                         "the past rl of damper %zu wants powers of order 1 at most, or an elongation "
+                                fvi_fail(error, fvi_kernel_term_is_power(t) ? FVI_EDOM : FVI_EUNSUP, "damper",
+                                         (double)j + 1, "the past rl of damper %zu wants powers of order 1 at most, or an elongation "
                                          "of 0", j + 1));
     }
     return FVI_SUCCESS;
@@ -92,7 +86,7 @@ static int add_start_force_of_slope(fvi_stepper *s, size_t j, double zdot)
 {
     const fvi_damper *damper = &s->run.system->mechanism->damper[j];
     const fvi_kernel *kernel = damper->kernel;
-    const int is_one = kernel->count == 1 && is_power(kernel->term);
+    const int is_one = kernel->count == 1 && fvi_kernel_term_is_power(kernel->term);
     return damper->past == FVI_INITIAL_HISTORY_CAPUTO
                ? FVI_SUCCESS
                : add_start_force(s, j, is_one ? kernel->term : NULL, zdot);

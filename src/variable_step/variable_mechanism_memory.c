@@ -14,10 +14,7 @@
  * has modes of its own. */
 static const fvi_kernel_term *power_of(const fvi_kernel *kernel)
 {
-    const fvi_kernel_term *t = kernel->term;
-    const int is_power = t->kind == FVI_KERNEL_POWER
-                         || (t->kind == FVI_KERNEL_ZENER && t->time == 0);
-    return kernel->count == 1 && is_power ? t : NULL;
+    return kernel->count == 1 && fvi_kernel_term_is_power(kernel->term) ? kernel->term : NULL;
 }
 
 static const fvi_damper *damper_of(const fvi_stepper *s, size_t j)
