@@ -84,7 +84,8 @@ size_t fvi_response_dimension(const fvi_response *response);
  *
  * Cost: one factorisation of Z(s), or none if the last call had the same s.
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EDOM if s is zero or not finite; FVI_ESING if Z(s) has no
- * inverse, because s is a pole; FVI_EOVRFLW if x is not finite; FVI_ENOMEM. On error x holds no result. */
+ * inverse, because s is a pole; FVI_EOVRFLW if x is not finite; FVI_ENOMEM; or the number of the interrupter (error.h).
+ * On error x holds no result. */
 int fvi_response_solve(fvi_response *response, const double s[2],
                        const double *f, double *x, fvi_error *error);
 
@@ -126,8 +127,8 @@ typedef enum {
  * factorisation for each frequency.
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL for an unknown kind, or an unknown that does not
  * exist; FVI_EDOM for a frequency; FVI_ESING at the resonance of a mode without damping; FVI_EOVRFLW if a response is
- * not finite; FVI_ENOMEM. After an error at a frequency, error->index is its number, and the numbers of H before it are
- * right. */
+ * not finite; FVI_ENOMEM; or the number of the interrupter (error.h). After an error at a frequency, error->index is its
+ * number, and the numbers of H before it are right. */
 int fvi_response_at(fvi_response *response, fvi_response_kind kind, size_t n,
                     const double *omega, size_t at, size_t by, double *H,
                     fvi_error *error);
@@ -172,7 +173,7 @@ typedef struct {
  * modes: O(d^3) up to 256 unknowns or for all modes, else subspace iteration with factors of K.
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL if count > d; FVI_EUNSUP for more than
  * FVI_MOST_POLES poles; FVI_ESING if M is not positive definite; FVI_EMAXITER if the undamped modes were not found;
- * FVI_ENOMEM. On error *poles is untouched. */
+ * FVI_ENOMEM; or the number of the interrupter (error.h). On error *poles is untouched. */
 int fvi_poles_find(fvi_response *response, size_t count, fvi_poles *poles,
                    fvi_error *error);
 

@@ -48,8 +48,8 @@ int fvi_mechanism_check_stretch(const fvi_kernel *kernel, size_t j, fvi_error *e
         if (t->rho != 0 && (!fvi_kernel_term_is_power(t) || t->alpha > 0.5))
             return fvi_at_index(error, j,
                                 fvi_fail(error, fvi_kernel_term_is_power(t) ? FVI_EDOM : FVI_EUNSUP, "damper",
-                                         (double)j + 1, "the past rl of damper %zu wants powers of order 1 at most, or an elongation "
-                                         "of 0", j + 1));
+                                         (double)j + 1, "the past rl of damper %zu wants powers of order 1 at most, "
+                                         "or an elongation of 0", j + 1));
     }
     return FVI_SUCCESS;
 }

@@ -38,7 +38,7 @@ static int evaluate_gradient(fvi_stepper *s, fvi_lobatto_stages *o, size_t i)
  *
  *     sum_{l < s - 1} M_il (S_l + h b_l share grad U(X_l) - [l = 0] p_k)
  *
- * The gradients in o->grad need not be final: solve_inner sets some of them to zero. */
+ * The gradients in o->grad need not be final: solve_inner_stages sets some of them to zero. */
 static double stage_displacement(const fvi_stepper *s, const fvi_lobatto_stages *o,
                                  size_t i, size_t j)
 {
