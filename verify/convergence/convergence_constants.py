@@ -10,7 +10,7 @@ from functools import cache
 from mpmath import exp, expj, fabs, gamma, linspace, log, mp, mpf, pi, quad, sin
 from sympy import binomial, factorial
 
-from shared.refgen import header, hexd, table
+from shared.refgen import header, hexd, largest, smallest, table
 
 mp.dps = 20
 CONSTANTS = [[float.fromhex(v) for v in row] for row in re.findall(
@@ -80,10 +80,10 @@ def memory_misses(s, theta, t):
             end, past = E1 * first, K1 * first
             if k:
                 third = pi * 2**(s - 1) * derivatives(s - 1)[0] / sin(pi * theta) * (t[n] - t[k])**(theta - 1)
-                end = min(end, E * h**s * G_end * power(t, k, theta - s))
-                past = min(past, K * h**s * (G_more * power(t, k, theta - s) + third * power(t, k, 1 - s)))
+                end = smallest((end, E * h**s * G_end * power(t, k, theta - s)))
+                past = smallest((past, K * h**s * (G_more * power(t, k, theta - s) + third * power(t, k, 1 - s))))
             total += end + KAPPA * past
-        most = max(most, total)
+        most = largest((most, total))
     return sin(pi * theta) / pi * most
 
 

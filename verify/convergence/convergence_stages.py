@@ -19,7 +19,7 @@ import mpmath
 from mpmath import mp, mpf
 from sympy import I, Poly, Rational, binomial, exp, expand, factorial, integrate, symbols
 
-from shared.refgen import claim, header, hexd, nearest, prove, table
+from shared.refgen import claim, header, hexd, largest, nearest, prove, table
 from shared.variable_steps_power import dense
 from variable_steps import variable_steps as one
 
@@ -137,7 +137,7 @@ def peano(s, row, end, order):
         for _ in range(60):
             points = [top - width, top - width / 2, top, top + width / 2, top + width]
             top, width = max((p for p in points if left < p < right), key=lambda tau: kernel(tau, whole)), width / 2
-        best = max(best, kernel(top, whole))
+        best = largest((best, kernel(top, whole)))
     return best
 
 
@@ -161,10 +161,10 @@ for s in STAGES:
                              if (k - j) % 2 == 0) for q in range(len(p))]
     total = [sum(b[i] * v for i, v in enumerate(part)) for part in zip(*(squares(p) for p in n))]
     claim("(20.19) on the imaginary axis", at_most([total], IMAGINARY**2, squares(d)))
-    claim("(20.21) the rows of A", max(sum(abs(A[i, l]) for l in range(s)) for i in range(s)) < 1 + mpf(10)**-30)
+    claim("(20.21) the rows of A", largest(sum(abs(A[i, l]) for l in range(s)) for i in range(s)) < 1 + mpf(10)**-30)
     row_of = lambda i: [A[i, l] for l in range(s)]
-    K1 = max(peano(s, row_of(i), c[i], 1) for i in range(s))
-    Ks = max(peano(s, row_of(i), c[i], s - 1) for i in range(s))
+    K1 = largest(peano(s, row_of(i), c[i], 1) for i in range(s))
+    Ks = largest(peano(s, row_of(i), c[i], s - 1) for i in range(s))
     E1, Es = (peano(s, row_of(s - 1), mpf(1), order) for order in (1, s))
     C = mpf(int(factorial(s) * factorial(s - 2))) / (int(factorial(2 * s - 2)) * int(factorial(2 * s - 1)))
     up = lambda v: nearest(v * (1 + mpf(10)**-12), 20)   # round bounds up
@@ -345,12 +345,12 @@ for s, theta, p, grade in ((2, 0.3, 1, 1), (2, 0.8, 1.4, 2), (3, 0.5, 1, 2), (3,
     exact = [mpmath.gamma(p + 1) / mpmath.gamma(p + 1 + theta) * v**(p + theta) for v in t]
     c, b, inverse = rule_of(s)
     A_ = inverse**-1
-    constants = (*(max(peano(s, [A_[i, l] for l in range(s)], c[i], o) for i in range(s)) for o in (1, s - 1)),
+    constants = (*(largest(peano(s, [A_[i, l] for l in range(s)], c[i], o) for i in range(s)) for o in (1, s - 1)),
                  *(peano(s, [A_[s - 1, l] for l in range(s)], mpf(1), o) for o in (1, s)))
     for n, bound in enumerate(memory_misses(s, steps, theta, A, constants)):
-        off = max(abs(got[n * s + i] - exact[n * s + i]) for i in range(s))
+        off = largest(abs(got[n * s + i] - exact[n * s + i]) for i in range(s))
         claim("(20.24) what the memory misses", off <= bound)
-        worst = max(worst, off / bound)
+        worst = largest((worst, off / bound))
 claim("(20.24) is not far from it", worst > mpf(1) / 30)
 
 
@@ -367,7 +367,7 @@ def bound_for_all_times(m, c, rho, alpha, x0, v0, s, h, eps):
     turn = cmath.exp(2j * math.pi * alpha)
     J = lambda w: abs((m * v0 if alpha < 0.5 else -c * v0 / w**2) - c * x0 / w)
     slope = abs(2 * m * pole + 2 * alpha * rho * cmath.exp((2 * alpha - 1) * cmath.log(pole)))
-    both = max(abs(R(pole * h)), math.exp(pole.real * h))
+    both = largest((abs(R(pole * h)), math.exp(pole.real * h)))
     misses = lambda w: C * abs(w)**(2 * s - 1) if abs(w) < 0.25 else abs(R(w) - cmath.exp(w))
     of_pole = 2 * J(pole) / slope * misses(pole * h) / (1 - both)
     modes = 2 * float(IMAGINARY) / slope * h / (1 - abs(R(pole * h)))
@@ -375,7 +375,7 @@ def bound_for_all_times(m, c, rho, alpha, x0, v0, s, h, eps):
     for k in range(round(-60 / L), round(60 / L)):
         sigma = math.exp(L * k)
         nu = sigma * h
-        most = max(most, (1 + nu) / nu * misses(-nu))
+        most = largest((most, (1 + nu) / nu * misses(-nu)))
         weight = L * sigma * rho * sigma**(2 * alpha) * abs(turn.imag) / (
             math.pi * abs(m * sigma**2 + rho * sigma**(2 * alpha) * turn + c)**2)
         x += weight * J(-sigma) * most

@@ -27,7 +27,7 @@ from sympy import (I, acosh, binomial, cos, cosh, diff, exp, expand, gamma, gamm
                    log, pi, simplify, sin, sinh, symbols, tan, together)
 
 from shared.exact_solution_routes import CAPUTO, HELD, Problem, by_cut, by_talbot, pole, size
-from shared.refgen import claim, header, hexd, hexd_real, prove, table
+from shared.refgen import claim, header, hexd, hexd_real, largest, prove, table
 
 m, c, rho, s, r, t, theta = symbols("m c rho s r t theta", positive=True)
 beta = symbols("beta", positive=True)
@@ -166,7 +166,7 @@ def rule_errs(b, tolerance, width, ratio=100, center=0.675, mu_=3.0):
                         + 1j * math.cos(center) * math.sinh(u_))
             dz = mu_ * (-math.sin(center) * math.sinh(u_) + 1j * math.cos(center) * math.cosh(u_))
             value += (step / math.pi * cmath.exp(part * z_) * dz / z_ ** (1 + b)).imag
-        worst = max(worst, abs(value * math.gamma(1 + b) - part**b))
+        worst = largest((worst, abs(value * math.gamma(1 + b) - part**b)))
     return worst
 
 

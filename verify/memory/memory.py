@@ -17,7 +17,7 @@ import mpmath
 from sympy import (I, Matrix, Rational, binomial, cos, diff, exp, expand, expand_func,
                    gamma, gammasimp, im, log, pi, re, sin, symbols)
 
-from shared.refgen import array, claim, header, hexd, hexd_real, prove, table
+from shared.refgen import array, claim, header, hexd, hexd_real, largest, prove, smallest, table
 
 nu, r, s, t, n = symbols("nu r s t n", positive=True)
 
@@ -125,7 +125,7 @@ for order in (0.01, 0.3, 0.7, 0.99):
             k = 33
             while k <= longest:
                 total = mpmath.fsum(c * mpmath.exp(-k * p) for p, c in pairs)
-                worst = max(worst, abs(total / exact(order, k) - 1) / delta)
+                worst = largest((worst, abs(total / exact(order, k) - 1) / delta))
                 k = min(3 * k, longest) if k < longest else longest + 1
 claim("(12.6) every weight sampled is within delta", worst <= 1)
 claim("(12.6) and not by more than a factor of 20", worst >= 0.05)
@@ -189,11 +189,11 @@ worst = 0
 for order in (0.01, 0.3, 0.7, 0.99):
     for longest in (128, 10 ** 5, 10 ** 9):
         for delta in (0.0005, 1e-8, 1e-14):
-            delta = min(delta, 16 / longest)
+            delta = smallest((delta, 16 / longest))
             drop = mpmath.fsum(c * mpmath.exp(-longest * p) * mpmath.expm1(p)
                                for p, c in nodes(order, longest, delta))
             want = exact(order, longest) * (1 + order) / (longest - 1 - order)
-            worst = max(worst, abs(drop / want - 1) / delta)
+            worst = largest((worst, abs(drop / want - 1) / delta))
 claim("(12.13) the last step of the weights in use is within 20 delta", worst <= 20)
 
 # ---- exact values -------------------------------------------------------------

@@ -46,6 +46,19 @@ def claim(what, truth):
         sys.exit(f"NOT TRUE: {what}")
 
 
+def largest(values):
+    """Return the largest of some numbers, where NaN counts as the largest: max() passes over a NaN that is not the
+    first one, and so would a claim that what it returns is small."""
+    values = list(values)
+    lost = [v for v in values if v != v]
+    return lost[0] if lost else max(values)
+
+
+def smallest(values):
+    """Return the smallest of some numbers, where NaN counts as the smallest."""
+    return -largest(-v for v in values)
+
+
 def hexd(x):
     """Return the nearest double of an exact rational (or double) as a C99 hex literal. Python rounds int / int
     correctly, ties to even, so there is one rounding."""
