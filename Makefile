@@ -104,7 +104,7 @@ figures: $(SCENES:%=figures/%.svg) $(DIAGRAMS:%=figures/%.svg) ## draw what chan
 layers: $B/libfvi.a $B/program.a $B/peers.a | needs ## see that the arrows between the rooms of src/ point down only
 	$(PYTHON) src/make/layers.py $^
 
-text: | needs ## compare code and numbers in the chapters with their sources; follow every link; count words; see that no NaN is lost, that the lines of mutants stand, that the holes of the workshop fit, and that need.sh knows what targets start
+text: test-headers | needs ## compare code and numbers in the chapters with their sources; follow every link; count words; see that no NaN is lost, that the lines of mutants stand, that the holes of the workshop fit, and that need.sh knows what targets start
 	$(PYTHON) chapters/tools/excerpts.py --check
 	$(PYTHON) chapters/tools/quoted.py --check
 	$(PYTHON) chapters/tools/links.py
@@ -117,6 +117,9 @@ text: | needs ## compare code and numbers in the chapters with their sources; fo
 	$(PYTHON) tests/harness/mutants.py --lines
 	$(WORKSHOP) $B text
 	$(PYTHON) src/make/needs.py
+
+test-headers: $B/libfvi.a | needs ## compile the examples in the comments of the public headers; run what can stand alone
+	FLAGS='$(CFLAGS) $(GSL_CFLAGS)' LIBS='$(LINKED)' $(PYTHON) src/make/header_examples.py $B
 
 excerpts: | needs ## rewrite code and numbers quoted in the chapters from their sources
 	$(PYTHON) chapters/tools/excerpts.py
@@ -232,7 +235,7 @@ shown = $(shell sed -nE 's|.*\]\(\.\./(figures/course/[a-z_]+\.svg)\).*|\1|p' $(
 $(foreach c,$(CHAPTERS),$(eval $(call chapter,ch$(call number,$c),$(call after,$c) $(BESIDE_$(call number,$c)),$(filter test-body_$(call number,$c)%,$(TESTS:%=test-%)) verify-course $(call shown,$c))))
 $(foreach p,$(PAGES),$(eval $(call chapter,h$(call number,$p),$(call after,$p))))
 
-.PHONY: all help slides check errata test test-example test-fuzz exercises test-workshop test-workshop-accidents workshop hint $(HELD:%=workshop-%) fuzz test-install python test-python install uninstall notebook book pdf test-book seen play test-play test-page verify figures layers text excerpts refs san valgrind cppcheck portability stress bench petsc mutants clean needs \
+.PHONY: all help slides check errata test test-example test-headers test-fuzz exercises test-workshop test-workshop-accidents workshop hint $(HELD:%=workshop-%) fuzz test-install python test-python install uninstall notebook book pdf test-book seen play test-play test-page verify figures layers text excerpts refs san valgrind cppcheck portability stress bench petsc mutants clean needs \
         $(TESTS:%=test-%) $(PROOFS:%=verify-%) $(PROOFS:%=refs-%) $(UNDER:%=valgrind-%)
 
 ## -- the library and the program -------------------------------------------
@@ -513,7 +516,7 @@ NEEDS := $(sort cc gsl cholmod \
   $(call goal,check test test-% $(NUMBERS) workshop hint workshop-% san valgrind valgrind-% portability mutants seen,check cerf) \
   $(call goal,figures figures-% figures/% $(NUMBERS),gnuplot) \
   $(call goal,check verify verify-% refs refs-% $(NUMBERS),python sympy) \
-  $(call goal,text errata erratum-% excerpts check workshop hint workshop-% exercise-% exercises test-workshop test-workshop-accidents layers portability mutants seen python notebook test-python test-install,python) \
+  $(call goal,text errata erratum-% excerpts check workshop hint workshop-% exercise-% exercises test-workshop test-workshop-accidents layers portability mutants seen python notebook test-python test-install test-headers,python) \
   $(call goal,book pdf test-book slides petsc,python) \
   $(call goal,book pdf test-book slides,pandoc katex node) \
   $(call goal,book pdf test-book slides,wasm) \

@@ -58,7 +58,7 @@ typedef struct {
  *
  *     const fvi_smoothness spring = { .T = 1, .kappa = 0.5, .lipschitz = 1, .gradient = 2, .speed = 1,
  *         .acceleration = 1, .room = 1 };
- *     status = fvi_error_bound_compute(&spring, &bound);   // C = 2, lambda = 2
+ *     status = fvi_error_bound_compute(&spring, &bound);   // bound.C = 2, bound.lambda = 2
  *
  * Accuracy with u = 2^-53: C 16 u; lambda 2 u (2 + |log 4r| / (2 - 2 alpha)); h the error of C and T times the error of
  * lambda. Cost O(1). Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EDOM if a number of motion is out of its

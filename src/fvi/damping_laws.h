@@ -96,7 +96,7 @@ int fvi_kernel_check(const fvi_kernel *law);
 
 /* fvi_kernel_function -- a law by a function of the caller's.
  *
- *     static void symbol(double re, double im, void *params, double *C_re, double *C_im);
+ *     void symbol(double re, double im, void *params, double *C_re, double *C_im);
  *     const fvi_kernel_function f = { { FVI_KERNEL_SYMBOL, 1, 0, 0, 0 }, symbol, &params };
  *     const fvi_kernel law = fvi_kernel_of_function(&f);
  *

@@ -120,15 +120,15 @@ typedef enum {
  *   at, by  unknowns, from 0, < d
  *   H       output, n complex numbers
  *
- *     double H[2 * 100];
- *     status = fvi_response_at(response, FVI_RESPONSE_RECEPTANCE, 100, omega, 0, 0, H, &error);
+ *     double omega[] = { 0.5, 1, 2 }, H[2 * 3];
+ *     status = fvi_response_at(response, FVI_RESPONSE_RECEPTANCE, 3, omega, 0, 0, H, &error);
  *
  * Accuracy: the error relative to the norm of Z^-1 is some d u times the condition number of Z, u = 2^-53. Cost: one
  * factorisation for each frequency.
  * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL; FVI_EINVAL for an unknown kind, or an unknown that does not
  * exist; FVI_EDOM for a frequency; FVI_ESING at the resonance of a mode without damping; FVI_EOVRFLW if a response is
- * not finite; FVI_ENOMEM; or the number of the interrupter (error.h). After an error at a frequency, error->index is its
- * number, and the numbers of H before it are right. */
+ * not finite; FVI_ENOMEM; or the number of the interrupter (error.h). After an error at a frequency, error->index is
+ * its number, and the numbers of H before it are right. */
 int fvi_response_at(fvi_response *response, fvi_response_kind kind, size_t n,
                     const double *omega, size_t at, size_t by, double *H,
                     fvi_error *error);
