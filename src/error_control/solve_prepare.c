@@ -30,8 +30,6 @@ static int can_start(const fvi_method *method, const fvi_run *run, double tolera
         one.tolerance = FVI_ANY_TOLERANCE;
     if (!method->takes_kappa && run->kappa != 0.5)
         return 0;
-    if (method->dense && run->tolerance != 0)
-        return 0;
     const int status = fvi_stepper_start(method, &one, &s, NULL);
     fvi_stepper_free(s);
     return status == FVI_SUCCESS;

@@ -36,9 +36,8 @@ typedef struct fvi_event fvi_event; /* events.h */
  *   alpha    the damping has the order 2 alpha, 0 <= alpha <= 1
  *   past     what the body did before t = 0 (past.h); zeroed: it was held at x0
  *   memory   how the history is summed (memory.h)
- *   tolerance  the tolerance of the modes, relative to the direct sum, in [0, 1); 0: the default 1e-13. Another
- *            number is refused if no tolerance is read: with FVI_HISTORY_DIRECT, and for a method that has no history
- *            or chooses its steps. It has no effect on a damping without a history
+ *   tolerance  the tolerance of the modes, relative to the direct sum, in [0, 1); 0: the default 1e-13. It has no
+ *            effect without a history
  *   step_error  for methods that choose their steps: the largest estimated error of x in one step, in the unit of x,
  *            >= 0; 0: 1e-10 of the largest |x_i| so far. A step_error below 1e-17 of the size at the start is refused
  *            (FVI_ETOL). If the motion grows, the method allows 1e-17 of the new size at least. For these methods h and
@@ -133,7 +132,7 @@ typedef struct {
  *   alpha_least, alpha_most  the range of alpha, within [0, 1]; 1/2 and 1/2 means linear damping only.
  *          fvi_stepper_start refuses every other alpha (FVI_EDOM)
  *   memories  a bit 1u << kind for each kind of memory (memory.h) that the method takes; fvi_stepper_start refuses the
- *          other kinds (FVI_EUNSUP). 0: the method has no history, and takes FVI_HISTORY_AUTO alone
+ *          other kinds (FVI_EUNSUP). 0: the method has no history, and run->memory is not read
  *   quadrature  the weights of the history; not read for methods without a history and for methods with stages
  *   scheme  as above. A method has adjoint runs and tangents if a method of the library has the same scheme, start and
  *          step; CLASSICAL has none
@@ -186,9 +185,8 @@ struct fvi_method {
     int (*damper)(const fvi_stepper *s, size_t j, double *impulse, double *work);
 };
 
-/* fvi_method_takes_history -- Return nonzero if the method takes this kind of memory. A method without a history takes
- * FVI_HISTORY_AUTO alone. For other methods return nonzero for a number that is no kind, too; fvi_history_alloc refuses
- * it. */
+/* fvi_method_takes_history -- Return nonzero if the method takes this kind of memory, or has no history. Return nonzero
+ * for a number that is no kind, too; fvi_history_alloc refuses it. */
 int fvi_method_takes_history(const fvi_method *method, fvi_history_kind kind);
 
 /* fvi_stepper_start -- Check a run, and make a stepper at k = 0.
@@ -208,7 +206,7 @@ int fvi_method_takes_history(const fvi_method *method, fvi_history_kind kind);
  *                that is not finite, or with a negative time; a run without a solution (19.2), unless the method has
  *                paper_convention; a run whose end T = steps h is so near to 0 that fvi_variable_step has no memory for
  *                it, below about 1e-287
- *   FVI_EUNSUP   the method does not take this memory, this tolerance, a law, this law, matrices or a mechanism; the past of a law is
+ *   FVI_EUNSUP   the method does not take this memory, a law, this law, matrices or a mechanism; the past of a law is
  *                neither HELD nor, for orders up to 1, CAPUTO; impulses at alpha = 1, for a method with stages and a
  *                damped coordinate
  *   FVI_ETOL     a tolerance or a step_error that is too small

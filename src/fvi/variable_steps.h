@@ -43,7 +43,7 @@ extern "C" {
  *                    max |x_i|. The error of p is larger. Rounding hides 1e-17 of the size. So a step_error below 1e-17
  *                    of the size at the start is refused (FVI_ETOL); if the size grows, 1e-17 of it is allowed
  *   run->memory      FVI_HISTORY_AUTO or FVI_HISTORY_MODES; other kinds are refused (FVI_EUNSUP)
- *   run->tolerance   0; other numbers are refused (FVI_EUNSUP). The modes have an error of 2e-14; of 3e-10 if step_error is above 1e-7 of the size, and
+ *   run->tolerance   not read. The modes have an error of 2e-14; of 3e-10 if step_error is above 1e-7 of the size, and
  *                    of 1e-7 if it is above 1e-5
  *   run->kappa       not read
  *

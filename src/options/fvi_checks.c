@@ -38,24 +38,6 @@ static int check_modes(const fvi_options *o, fvi_error *c)
                             of_folder ? "damper" : "damping", o->text[of_folder ? DAMPER : DAMPING]);
 }
 
-/* Refuse a kind of memory that the method does not have, and a tolerance that it does not read. */
-static int check_history(const fvi_options *o, fvi_error *c)
-{
-    const fvi_method *m = o->method;
-    const char *tolerance = o->tolerance != 0 ? o->text[TOLERANCE] : NULL;
-    if (!fvi_method_takes_history(m, o->memory))
-        return fvi_refuse(c, "memory", m->memories ? "'%s' is not known to %s" : "'%s' is not for %s, which has no memory",
-                          o->text[MEMORY], m->name);
-    if (tolerance && !m->memories)
-        return fvi_refuse(c, "tolerance", "'%s' is not for %s, which has no memory", tolerance, m->name);
-    if (tolerance && m->dense)
-        return fvi_refuse(c, "tolerance", "'%s' is not for %s, whose memory follows the error of a step", tolerance,
-                          m->name);
-    if (tolerance && o->memory == FVI_HISTORY_DIRECT)
-        return fvi_refuse(c, "tolerance", "'%s' is not for --memory direct, which has rounding errors alone", tolerance);
-    return 0;
-}
-
 int fvi_check_method(const fvi_options *o, fvi_error *c)
 {
     const fvi_method *m = o->method;
@@ -80,7 +62,9 @@ int fvi_check_method(const fvi_options *o, fvi_error *c)
                           "velocity; fvi, fvi-stable, fvi-lobatto2 to 8, 2d to 8d and fvi-adaptive do", m->name);
     if (!m->takes_kappa && o->kappa != 0.5)
         return fvi_refuse(c, "kappa", "'%s' is not for %s, which has no kappa", o->text[KAPPA], m->name);
-    return check_history(o, c);
+    if (!fvi_method_takes_history(m, o->memory))
+        return fvi_refuse(c, "memory", "'%s' is not known to %s", o->text[MEMORY], m->name);
+    return 0;
 }
 
 /* ---- what has a solution ---- */

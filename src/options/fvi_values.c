@@ -97,8 +97,6 @@ static int interpret_run(fvi_options *o, fvi_error *c)
     int status = fvi_option_number(o, KAPPA, 0, 1, "[]", &o->kappa, c);
     if (!status)
         status = fvi_option_number(o, TOLERANCE, 1e-14, 1, "[)", &o->tolerance, c);
-    if (o->tolerance == 1e-13) /* the default, and 0 in the library */
-        o->tolerance = 0;
     if (!status)
         status = choose_word(o, MEMORY, fvi_history_words, &which, c);
     if (status)

@@ -103,24 +103,6 @@ static int check_numbers(const fvi_method *method, const fvi_run *run,
     return FVI_SUCCESS;
 }
 
-/* Check that the kind of memory and its tolerance have an effect, because nothing that is asked for is ignored. The
- * tolerances below 1e-14 of a method that chooses its steps are the library's own (variable_step.h). */
-static int check_history(const fvi_method *method, const fvi_run *run, fvi_error *error)
-{
-    if (!fvi_method_takes_history(method, run->memory))
-        return fvi_fail(error, FVI_EUNSUP, "memory", run->memory,
-                        method->memories ? "this method has no such memory" : "this method has no memory");
-    const char *reason = run->tolerance == 0                 ? NULL
-                         : method->memories == 0             ? "this method has no memory"
-                         : run->memory == FVI_HISTORY_DIRECT ? "the direct sum has rounding errors alone"
-                         : method->dense && run->tolerance >= 1e-14
-                             ? "the memory of this method follows the error of a step"
-                             : NULL;
-    return reason ? fvi_fail(error, FVI_EUNSUP, "tolerance", run->tolerance, "%g is read by no history: %s",
-                             run->tolerance, reason)
-                  : FVI_SUCCESS;
-}
-
 int fvi_run_check(const fvi_method *method, const fvi_run *run,
                   fvi_error *error)
 {
@@ -149,8 +131,8 @@ int fvi_run_check(const fvi_method *method, const fvi_run *run,
         status = check_start("x0", run->system->d, run->x0, error);
     if (!status)
         status = check_start("p0", run->system->d, run->p0, error);
-    if (!status)
-        status = check_history(method, run, error);
+    if (!status && !fvi_method_takes_history(method, run->memory))
+        status = fvi_fail(error, FVI_EUNSUP, "memory", run->memory, "this method has no such memory");
     if (!status && run->event_count)
         status = fvi_events_check(method, run, error);
     if (!status)

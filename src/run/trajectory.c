@@ -40,9 +40,8 @@ fvi_run fvi_run_default(const fvi_system *system, const double *x0,
 
 int fvi_method_takes_history(const fvi_method *method, fvi_history_kind kind)
 {
-    if (method->memories == 0)
-        return kind == FVI_HISTORY_AUTO;
-    return kind > FVI_HISTORY_MODES || method->memories & 1u << kind;
+    return method->memories == 0 || kind > FVI_HISTORY_MODES
+           || method->memories & 1u << kind;
 }
 
 /* Make a stepper at k = 0. x, p, dx, g, F and copies of x0 and p0 stand in one block. Returns NULL without memory. */

@@ -223,7 +223,7 @@ static int start_tangent(fvi_tangent_run *o, double enough, size_t l)
     }
     if (o->rule)
         linearised->source = o->source + l * o->s * o->width;
-    if (o->rule && enough > 0 && tangent.memory != FVI_HISTORY_DIRECT)
+    if (o->rule && enough > 0)
         tangent.tolerance = tolerance_of_slopes(o->run, enough);
     tangent.system = o->system + l;
     tangent.x0 = o->dx + l * o->width;

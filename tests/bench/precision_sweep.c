@@ -27,7 +27,7 @@ size_t gather(contender *all)
                 continue;
             contender *c = &all[count++];
             *c = (contender){ .method = m,
-                              .kind = has_memory ? kinds[k] : FVI_HISTORY_AUTO,
+                              .kind = kinds[k],
                               .of = peer_ ? PEERS : OURS_THAT_STEP };
             snprintf(c->name, sizeof c->name, "%s%s", m->name,
                      has_memory && k ? ", direct" : "");
@@ -50,7 +50,7 @@ static int run_once(const contender *c, const problem *p, size_t N,
         const task t = { p, N, tolerance };
         return c->peer->run(&t, rows);
     }
-    fvi_run run = problem_run(p, N, c->kind, c->method->dense ? 0 : tolerance);
+    fvi_run run = problem_run(p, N, c->kind, tolerance);
     run.step_error = tolerance; /* read by methods that choose their steps */
     fvi_stepper *s;
     int status = fvi_stepper_start(c->method, &run, &s, NULL);

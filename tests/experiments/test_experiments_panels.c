@@ -45,7 +45,7 @@ static fvi_run paper_run(const fvi_system *system, double alpha, double h,
                       .kappa = 0.5,
                       .alpha = alpha,
                       .past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
-                      .memory = alpha == 0.5 ? FVI_HISTORY_AUTO : FVI_HISTORY_DIRECT }; /* at 1/2 there is none */
+                      .memory = FVI_HISTORY_DIRECT };
 }
 
 /* ---- the panel of several alpha ---- */

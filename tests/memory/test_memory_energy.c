@@ -87,7 +87,7 @@ static size_t run_plane(const plane *a, double *x, double *load)
                           .alpha = a->alpha,
                           .past = FVI_INITIAL_HISTORY_HELD,
                           .memory = a->kind,
-                          .tolerance = a->kind == FVI_HISTORY_MODES ? 0.5 : 0 };
+                          .tolerance = 0.5 };
     fvi_stepper *s;
     ck_assert_int_eq(fvi_stability_number(&fvi_fractional, &run, load),
                      FVI_SUCCESS);

@@ -293,30 +293,6 @@ START_TEST(too_large_a_run_is_refused_before_it_starts)
 }
 END_TEST
 
-/* A kind of memory, or its tolerance, that no method reads would be ignored in silence. The defaults are no wish. */
-START_TEST(what_no_memory_reads_is_refused)
-{
-    static const char *const idle[][2] = {
-        { "run --memory direct --tolerance 1e-6", "--tolerance: '1e-6' is not for --memory direct, which has rounding errors" },
-        { "gradient --memory direct --tolerance 1e-6", "--tolerance: '1e-6' is not for --memory direct" },
-        { "run --method lda --memory direct", "--memory: 'direct' is not for lda, which has no memory" },
-        { "run --method euler-implicit --memory exponentials", "--memory: 'exponentials' is not for euler-implicit" },
-        { "run --method lda --tolerance 1e-6", "--tolerance: '1e-6' is not for lda, which has no memory" },
-        { "run --error 1e-6 --tolerance 1e-6", "--tolerance: '1e-6' is not for fvi-adaptive, whose memory follows" },
-        { "sweep --vary tolerance=1e-6:1e-5:2 --method lda", "is not for lda, which has no memory" },
-    };
-    for (size_t i = 0; i < LEN(idle); i++) {
-        ck_assert_msg(fvi(idle[i][0]) == 2 && strstr(err, idle[i][1]), "%s: %s", idle[i][0], err);
-        if (i < 6)
-            ck_assert_str_eq(out, "");
-    }
-    ck_assert_int_eq(fvi("run --memory direct --tolerance 1e-13 --steps 2"), 0);
-    ck_assert_int_eq(fvi("run --method lda --memory auto --steps 2"), 0);
-    ck_assert_int_eq(fvi("run --damping zener:1,0.3,2 --error 1e-3 --tolerance 1e-7 --steps 2"), 0);
-    ck_assert_ptr_nonnull(strstr(out, "\n# method = fvi-bdf2\n"));
-}
-END_TEST
-
 /* ---- what is not even compiled ---- */
 
 static int compiles(const char *options)
@@ -400,7 +376,7 @@ int main(void)
              no_row_has_a_number_that_is_not_finite,
              a_step_that_fails_is_reported_with_its_number,
              a_lost_phase_is_an_error,
-             too_large_a_run_is_refused_before_it_starts, what_no_memory_reads_is_refused,
+             too_large_a_run_is_refused_before_it_starts,
              other_roundings_are_not_compiled,
              only_a_loader_that_can_is_asked_to_choose);
     return run_suite_of_program(suite);

@@ -152,7 +152,7 @@ START_TEST(defaults_are_those_of_the_manual)
               && o.potential.constants[0] == 1);
     ck_assert(fvi_typed_force_is_simple(o.force, &force, constants)
               && force == FVI_FORCING_NONE);
-    ck_assert(o.memory == FVI_HISTORY_AUTO && o.tolerance == 0); /* 1e-13 in the library */
+    ck_assert(o.memory == FVI_HISTORY_AUTO && o.tolerance == 1e-13);
     ck_assert(o.error == 0);
     const fvi_column columns[] = { FVI_COLUMN_T, FVI_COLUMN_X, FVI_COLUMN_P,
                                    FVI_COLUMN_ENERGY };

@@ -36,7 +36,7 @@ static int trajectory(const fvi_method *method, fvi_potential potential,
                           .kappa = 0.5,
                           .alpha = alpha,
                           .memory = memory,
-                          .tolerance = memory == FVI_HISTORY_DIRECT ? 0 : 1e-12,
+                          .tolerance = 1e-12,
                           .past = FVI_INITIAL_HISTORY_HELD };
     int status = fvi_trajectory(method, &run, x, NULL, NULL);
     for (size_t k = 0; k <= N && !status; k++)

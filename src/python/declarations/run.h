@@ -86,7 +86,6 @@ int fvi_stepper_statistics(const fvi_stepper *s, fvi_step_statistics *counts);
 typedef struct fvi_typed_events fvi_typed_events;
 extern const fvi_method *const fvi_methods[];
 const fvi_method *fvi_method_find(const char *name);
-int fvi_method_takes_history(const fvi_method *method, fvi_history_kind kind);
 fvi_run fvi_run_default(const fvi_system *system, const double *x0, const double *p0, double h, size_t steps);
 int fvi_stepper_start(const fvi_method *method, const fvi_run *run, fvi_stepper **stepper, fvi_error *error);
 int fvi_stepper_step(fvi_stepper *s);

@@ -73,23 +73,6 @@ def positive(what: str, given: Any) -> float:
     raise refused(what, value, "must be finite and positive")
 
 
-def history(found: Any, memory: str, tolerance: Any) -> tuple:
-    """How the library shall sum the past: its kind and its tolerance. What the method does not read is refused."""
-    method, kind, value = text_of(found.name), choice("memory", memory, MEMORIES), number("tolerance", tolerance)
-    has_memory = any(lib.fvi_method_takes_history(found, k) for k in (lib.FVI_HISTORY_DIRECT, lib.FVI_HISTORY_MODES))
-    if not lib.fvi_method_takes_history(found, kind):
-        raise ValueError(f"memory: '{memory}' is not " + (f"known to {method}" if has_memory else
-                                                          f"for {method}, which has no memory"))
-    if value == 1e-13:  # the default, which may be said to every method
-        value = 0.0
-    why = (f"{method}, which has no memory" if not has_memory else
-           f"{method}, whose memory follows the error of a step" if lib.is_dense(found) else
-           "memory='direct', which has rounding errors alone" if kind == lib.FVI_HISTORY_DIRECT else "")
-    if value != 0 and why:
-        raise ValueError(f"tolerance: {value:g} is not for {why}")
-    return kind, value
-
-
 def prepare(potential: Union[str, Potential] = "harmonic:1", last: Optional[float] = None, /, *, alpha: Optional[float] = None,
             rho: Optional[Numbers] = None, damping: Law = None, mass: Numbers = 1.0,
             force: Union[None, str, Callable[[float], Numbers]] = None, let: Optional[dict] = None,
@@ -122,11 +105,11 @@ def prepare(potential: Union[str, Potential] = "harmonic:1", last: Optional[floa
     run.system = problem.system
     run.x0, run.p0 = problem.pointer(problem.x0), problem.pointer(problem.p0)
     run.h, run.steps = h, steps
-    run.kappa = number("kappa", kappa)
-    run.memory, run.tolerance = history(found, memory, tolerance)
+    run.kappa, run.tolerance = number("kappa", kappa), number("tolerance", tolerance)
     run.alpha = number("alpha", 0.5 if alpha is None else alpha)
     run.law = problem.law
     run.past = choice("derivative", derivative, PASTS)
+    run.memory = choice("memory", memory, MEMORIES)
     return problem, run, found
 
 
@@ -352,8 +335,7 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
     method      as `methods()` lists them; "fvi"
     kappa       0 ... 1, a pure number: the potential is taken at kappa x_k + (1 - kappa) x_{k+1}; 0.5
     memory      how the past is summed: "auto", "direct" or "exponentials"; "auto"
-    tolerance   of the compressed memory, relative to the direct sum, 0 ... 1 (not 1); 0 is 1e-13. A ValueError for
-                another number where none is read: with "direct", and for "fvi-adaptive" and methods without a memory
+    tolerance   of the compressed memory, relative to the direct sum, 0 ... 1 (not 1); 0 is 1e-13
     columns     any of t,x,p,energy: only these are computed
 
     Raises TypeError and ValueError for what cannot be meant, fvi.Error with the library's code
@@ -393,7 +375,6 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
             raise Error(f"error: {error} is not above 0, or not finite", lib.FVI_EDOM)
         if is_open:
             method = lib.fvi_method_for_error(r, number("error", error))
-            history(method, options.get("memory", "auto"), options.get("tolerance", 0.0))
         estimate = solve(method, r, number("time", options["time"]), number("error", error), most, pointers)
     x, p, energy = (out[n] if n in wanted else None for n in ("x", "p", "energy"))
     return Run(np.arange(rows) * r.h, x, p, energy, estimate)

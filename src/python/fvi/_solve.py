@@ -16,7 +16,7 @@ from ._fvi import ffi, lib
 from ._library import ask, ask_for_warning, error_of, failure, keep, succeed, text_of, understand, warn, warn_of_start
 from ._mechanism import Mechanism, Structure, own_law
 from ._problem import Problem
-from ._run import MEMORIES, PASTS, history, length, methods, refused
+from ._run import MEMORIES, PASTS, length, methods, refused
 from ._solution import Solution
 from ._system import System
 from .errors import Error
@@ -183,7 +183,6 @@ def chosen(problem: Problem, t_eval: Optional[Numbers], error: Optional[float], 
         raise ValueError(f"method: '{method}' is none of " + ", ".join(names) + nearest(method, names))
     if kappa is not None and not found.takes_kappa:
         raise ValueError(f"kappa: {method} has none")
-    tolerance = history(found, memory, tolerance)[1]
     for name, value in (("step_error", step_error), ("longest", longest if error is None else None)):
         if value is not None and not lib.is_dense(found):
             raise ValueError(f"{name}: not for {method}, whose steps are given; fvi-adaptive chooses its own")
@@ -212,7 +211,7 @@ def chosen(problem: Problem, t_eval: Optional[Numbers], error: Optional[float], 
     return Numerics(method, h, count, 0.5 if kappa is None else number("kappa", kappa), error, step_error, longest,
                     0 if most_steps is None else whole("most_steps", most_steps, 1),
                     next(name for name in MEMORIES if choice("memory", memory, MEMORIES) == MEMORIES[name]),
-                    tolerance, times, events,
+                    number("tolerance", tolerance), times, events,
                     None if checkpoint is None else path("checkpoint", checkpoint))
 
 
@@ -459,8 +458,7 @@ def solve(problem: Problem, t_eval: Optional[Numbers] = None, error: Optional[fl
                 "x : contact:0.8", "x1 - 2 : stop", or an `Event`; one or several. The Solution has their times, t_events
     checkpoint  the name of a file to which the motion is written, every 10 s and at its end. If it is there, the motion
                 goes on from it: the numbers are those of a run that was never stopped, to the bit; events, too. Not with error
-    memory, tolerance  how the past is summed, "auto", "direct" or "exponentials", and the tolerance of the latter; a
-                       ValueError where the method does not read them
+    memory, tolerance  how the past is summed, "auto", "direct" or "exponentials", and the tolerance of the latter
 
     Raises TypeError and ValueError for what cannot be meant; fvi.Error with the library's code for what could not
     be done, its `rows` being the motion until then; what a function of yours raised. Warns by fvi.FviWarning.
