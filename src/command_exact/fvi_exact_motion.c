@@ -11,7 +11,6 @@
 
 #include <fvi/exact_motion.h>
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,7 +1,6 @@
 /* src/command_fit/fvi_fit_names.c -- Read the names of the parameters of `fvi fit --fit`. */
 #include "fvi_fit_answer.h"
 
-#include <stdio.h>
 #include <string.h>
 
 typedef fvi_fit_request request;

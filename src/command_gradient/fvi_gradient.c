@@ -13,7 +13,6 @@
 #include "output/fvi_table.h"
 #include "input/fvi_files.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

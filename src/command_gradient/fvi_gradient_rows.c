@@ -31,8 +31,8 @@ static void warn(const visitor *v, const char *name, const char *text, const cha
     v->visit(v->to, name, NULL, whole);
 }
 
-/* Visit a row for each coordinate: name, or name_1, name_2, ... The function returns the warning that takes the place of
- * the row of coordinate i, or NULL. */
+/* Visit a row for each coordinate: name, or name_1, name_2, ... `warning` returns the text that takes the place of the
+ * row of coordinate i, or NULL. In the text, %s stands for the name of the row. */
 static void rows_of_coordinates(const visitor *v, const request *r, const char *name, const double *by,
                                 const char *(*warning)(const request *r, size_t i))
 {
@@ -55,8 +55,8 @@ static const char *no_warning(const request *r, size_t i)
     return NULL;
 }
 
-/* A coordinate without mass has no kinetic energy. With a small mass it would have one, from a velocity that is not p/m.
- * So the energy has no derivative by such a mass. */
+/* A coordinate without mass has no kinetic energy. With a small mass it would have one, from a velocity that is not
+ * p/m. So the energy has no derivative by such a mass. */
 static const char *warning_of_mass(const request *r, size_t i)
 {
     return r->of == 2 && r->o.mass[i] == 0

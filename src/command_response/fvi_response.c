@@ -12,7 +12,6 @@
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 static const char *const of_run[] = { FVI_LINEAR_OPTIONS, "plot", NULL };
 static const fvi_own_command response = {

@@ -8,7 +8,6 @@
 #include <fvi/fvi.h>
 
 #include <stdlib.h>
-#include <string.h>
 
 /* ---- one lane ---- */
 

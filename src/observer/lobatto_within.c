@@ -9,7 +9,6 @@
 #include "methods/lobatto_stages.h"
 #include "system/lagrange_polynomial.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 /* l_i'(theta) */

@@ -5,7 +5,6 @@
 #include "observer_state.h"
 
 #include <math.h>
-#include <string.h>
 
 size_t fvi_observer_numbers(const fvi_observer *o)
 {

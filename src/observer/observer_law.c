@@ -6,7 +6,6 @@
 #include "kernel/kernel_terms.h"
 #include "run/run_damper.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

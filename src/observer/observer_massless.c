@@ -16,7 +16,6 @@
 #include "run/run_damper.h"
 #include "system/lagrangian_point.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

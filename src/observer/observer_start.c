@@ -18,14 +18,14 @@ enum {
 
 /* ---- memory ---- */
 
-/* Allocate all arrays in one block, first those that steps change. The sizes are set before. Each of the others has room
- * for d numbers and for the tracked sums, because several of them hold both in turn. */
+/* Allocate all arrays in one block, first those that steps change. The sizes are set before. Each of the others, but for
+ * the contacts, has room for d numbers and for the tracked sums, because several of them hold both in turn. */
 static int allocate(fvi_observer *o)
 {
     const size_t d = o->d, f = o->tracked, dampers = o->dampers, room = d > f ? d : f;
     o->numbers = FVI_ARRAYS(
-        { &o->impulse, f }, { &o->latest, o->degree * f }, { &o->work, dampers }, { &o->lead, dampers }, { &o->known, d },
-        { &o->bend, o->bends }, { &o->bend_rate, dampers }, { &o->scalars, FVI_SCALARS },
+        { &o->impulse, f }, { &o->latest, o->degree * f }, { &o->work, dampers }, { &o->lead, dampers },
+        { &o->known, d }, { &o->bend, o->bends }, { &o->bend_rate, dampers }, { &o->scalars, FVI_SCALARS },
         { &o->begun_work, o->on_structure }, { &o->stage_power, FVI_LANES * o->on_structure },
         { &o->p0, room }, { &o->start, room }, { &o->begin_v, room }, { &o->exponent, room }, { &o->rate, room },
         { &o->power, room }, { &o->jump, room }, { &o->line, room }, { &o->growth, room }, { &o->is_jumping, room },

@@ -5,7 +5,6 @@
 #include <fvi/fvi.h>
 
 #include <math.h>
-#include <string.h>
 
 /* ---- what a method takes ---- */
 

@@ -33,11 +33,15 @@ const char *fvi_command_of_word(const char *word)
 
 static int command_of(const char *name, fvi_command *command, fvi_error *c)
 {
+    /* The hint is the nearest of these words, and the first one of several. -h would be near to every short word. */
+    static const char *const all[] = {
+        "run", "exact", "fit", "sweep", "gradient", "methods", "help", "coefficients", "response", "poles", "--help",
+        "--version", NULL
+    };
     const size_t i = fvi_scan_word(name, strlen(name), commands);
     char place[64];
     if (!commands[i])
-        return fvi_refuse(c, NULL, "'%s' is not a command%s", name,
-                          fvi_word_hint(name, strlen(name), commands, place));
+        return fvi_refuse(c, NULL, "'%s' is not a command%s", name, fvi_word_hint(name, strlen(name), all, place));
     *command = is_help(commands[i]) ? FVI_COMMAND_HELP : (fvi_command)i;
     return 0;
 }
@@ -55,8 +59,8 @@ static int refuse_unknown(const fvi_options *o, const char *given, fvi_error *c)
     return fvi_refuse_option(c, given, names);
 }
 
-/* Take the option `given`. Its value stands behind =, of -o behind the letter, or is the next word, which is NULL at the
- * end. *takes_next becomes nonzero if it is the next word. */
+/* Take the option `given`. Its value is the text behind =, the text behind the two letters of -o, or the next word. The
+ * next word is NULL at the end of the words. *takes_next becomes nonzero if the value is the next word. */
 static int read_option(fvi_options *o, const char *given, const char *next, int *takes_next, fvi_error *c)
 {
     const int is_output = strncmp(given, "-o", 2) == 0;
@@ -90,8 +94,8 @@ static int read_words(fvi_options *o, int count, char **words, fvi_error *c)
             o->command = FVI_COMMAND_HELP;
             return 0;
         }
-        if (strcmp(word, "--") == 0 && !next) /* the end of the options */
-            return 0;
+        if (strcmp(word, "--") == 0) /* the end of the options */
+            return next ? fvi_refuse(c, NULL, "'%s': not expected here", next) : 0;
         if (*word != '-' || !word[1])
             return fvi_refuse(c, NULL, "'%s': not expected here", word);
         status = read_option(o, word, next, &takes_next, c);

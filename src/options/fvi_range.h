@@ -26,9 +26,9 @@ typedef struct {
 int fvi_word_range(const char *field, const char *shape, const char *text,
                    const char *range, double low, fvi_range *a, fvi_error *c);
 
-/* fvi_range_value -- Return number i. The two ends of a range are exact. A value between them is the decimal number of fewest
- * digits within the rounding error of its formula, if there is one with at most 12 digits: 20:160:4:log has 40 and 80,
- * 0:1:11 has 0.3. */
+/* fvi_range_value -- Return number i. The two ends of a range are exact. A value between them is the decimal number of
+ * fewest digits within the rounding error of its formula, if there is one with at most 12 digits: 20:160:4:log has 40
+ * and 80, 0:1:11 has 0.3. */
 double fvi_range_value(const fvi_range *a, size_t i);
 
 #endif

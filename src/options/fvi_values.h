@@ -9,7 +9,8 @@
  * filled in and nothing allocated. */
 int fvi_options_interpret(fvi_options *o, fvi_error *c);
 
-/* fvi_options_free -- Free the arrays and objects of o. Only o->command and o->about stay; a second call does nothing. */
+/* fvi_options_free -- Free the arrays and objects of o. Only o->command and o->about stay, so a second call does
+ * nothing. */
 void fvi_options_free(fvi_options *o);
 
 #endif

@@ -19,9 +19,8 @@ static int check_damper_names(const fvi_column_source *source, fvi_error *error)
         const char *name = source->mechanism->damper[j].name;
         if (name && strncmp(name, event, stem) == 0
             && fvi_scan_index(name + stem, strlen(name + stem), source->events) < source->events)
-            return fvi_at_index(error, j,
-                                fvi_refuse(error, "damper", "'%s' is the name of an event in columns, as in %s.force: give "
-                                           "the damper another one", name, name));
+            return fvi_at_index(error, j, fvi_refuse(error, "damper", "'%s' is the name of an event in columns, as in "
+                                                     "%s.force: give the damper another one", name, name));
     }
     return FVI_SUCCESS;
 }

@@ -23,10 +23,8 @@
 #include <fvi/methods.h>
 
 #include <fcntl.h>
-#include <math.h>
 #include <signal.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* Print the head and the weights, one line for each weight. */
 static int coefficients(const fvi_options *o)

@@ -11,7 +11,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 _Static_assert((int)FVI_BATCH_MOST == (int)FVI_MOST_LANES, "a batch has a vector of lanes");
 

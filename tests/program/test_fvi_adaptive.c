@@ -71,8 +71,8 @@ START_TEST(a_time_that_is_too_short_for_a_memory_is_refused_in_words)
         for (size_t j = 0; j < LEN(commands); j++) {
             snprintf(line, sizeof line, "%s --method fvi-adaptive %s --time 1e-300", commands[j], dampings[i]);
             ck_assert_int_ne(fvi(line), 0);
-            ck_assert_msg(strstr(err, "fvi: --time: 1e-300 is too short: the fastest decay rate of its memory would be above "
-                                      "1.8e308\n") == err,
+            ck_assert_msg(strstr(err, "fvi: --time: 1e-300 is too short: the fastest decay rate of its memory would be "
+                                      "above 1.8e308\n") == err,
                           "%s: %s", line, err);
         }
     }

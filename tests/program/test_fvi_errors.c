@@ -74,6 +74,9 @@ START_TEST(bad_use_is_refused)
     ck_assert(strncmp(err, "fvi: --h: not together with --error\n", 36) == 0);
     fvi("run --alpha 1.5");
     ck_assert(strncmp(err, "fvi: --alpha: '1.5' is outside [0, 1]\n", 38) == 0);
+    fvi("run -- --h 1"); /* -- ends the options */
+    ck_assert_ptr_eq(strstr(err, "fvi: '--h': not expected here\n"), err);
+    ck_assert_int_eq(fvi("run --steps 1 --"), 0);
 }
 END_TEST
 

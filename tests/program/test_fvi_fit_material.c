@@ -116,8 +116,6 @@ START_TEST(fit_reads_moduli_of_many_kinds)
 }
 END_TEST
 
-/* A plan has the standard deviations of a fit of such data: 1.96 sd are the halves of its
- * intervals, in the logit; (24.3) at the truth is tested elsewhere. */
 /* Without names the first column is omega. If only the first name is known, it says the unit: f is in hertz. A comment
  * of three words names nothing. */
 START_TEST(the_name_of_the_first_column_says_its_unit)
@@ -184,6 +182,8 @@ START_TEST(exact_data_have_intervals_without_length)
 }
 END_TEST
 
+/* A plan has the standard deviations of a fit of such data: 1.96 sd are the halves of its
+ * intervals, in the logit; (24.3) at the truth is tested elsewhere. */
 START_TEST(fit_plans_a_test)
 {
     double row[4];
@@ -274,7 +274,8 @@ int main(void)
     free(sources);
     Suite *suite = suite_create("fvi fit --moduli");
     ADD_CASE(suite, "materials", a_rheologist_needs_three_commands,
-             fit_reads_moduli_of_many_kinds, the_name_of_the_first_column_says_its_unit, a_table_of_another_test_is_refused,
+             fit_reads_moduli_of_many_kinds, the_name_of_the_first_column_says_its_unit,
+             a_table_of_another_test_is_refused,
              exact_data_have_intervals_without_length,
              fit_plans_a_test,
              fit_chooses_steps_of_its_own_where_gaps_are_short,

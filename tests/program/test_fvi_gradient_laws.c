@@ -295,9 +295,9 @@ static double row(const char *options, const char *name)
     return derivative(name);
 }
 
-/* With T = 0 Havriliak and Negami's law is a power; its derivative by T is B times that of a zener, and by B it is 0. With
- * B = 1 it is a zener, and with A = 1/2 as well a Maxwell element, whose derivative by B, -s ln(1 + T s)/(1 + T s), has a
- * pole on the cut. fvi-bdf2 has this derivative by its weights, and by h/2 and h/4 to order 3. Seen: 1e-9. */
+/* With T = 0 Havriliak and Negami's law is a power; its derivative by T is B times that of a zener, and by B it is 0.
+ * With B = 1 it is a zener, and with A = 1/2 as well a Maxwell element, whose derivative by B,
+ * -s ln(1 + T s)/(1 + T s), has a pole on the cut. fvi-bdf2 has this derivative by its weights, and by h/2 and h/4 to order 3. Seen: 1e-9. */
 START_TEST(stages_differentiate_a_havriliak_that_is_a_simpler_law)
 {
     static const char *const methods[] = { "--method fvi-lobatto4", "--method fvi-lobatto3d" };
@@ -324,8 +324,8 @@ START_TEST(stages_differentiate_a_havriliak_that_is_a_simpler_law)
                  stages = row("--damping havriliak:1,0.5,2,1 --method fvi-lobatto6", "damping_B");
     ck_assert_near(stages, (4 * fine - coarse) / 3, 1e-8, "B");
     ck_assert_int_eq(fvi("gradient --damping havriliak:1,0.49,2,1 --method fvi-lobatto4"), 1);
-    ck_assert_str_eq(err, "fvi: the derivative of this law by one of its numbers is no sum of decaying modes, which stages "
-                          "need; fvi, fvi-bdf2 and fvi-stable have it\n");
+    ck_assert_str_eq(err, "fvi: the derivative of this law by one of its numbers is no sum of decaying modes, which "
+                          "stages need; fvi, fvi-bdf2 and fvi-stable have it\n");
 }
 END_TEST
 

@@ -52,7 +52,8 @@ START_TEST(wrong_words_are_refused)
         { "run --damper 'x : viscous:1' --damper 'd1=x : spring:1'",
           "fvi: --damper: 'd1' is the name of two dampers" },
         { "run --damper 'event1=x : viscous:1' --event 'x : mark' --columns t,event1.force",
-          "fvi: --damper: 'event1' is the name of an event in columns, as in event1.force: give the damper another one\n" },
+          "fvi: --damper: 'event1' is the name of an event in columns, as in event1.force: give the damper another "
+          "one\n" },
         { "run --damper 'x : distributed:1,0.2,0.9 : caputo'",
           "fvi: --damper: damper 1: above the order 1 only a power alone has Caputo's" },
         { "run --damper 'x : power:1,0.7 : rl' --method fvi-stable",
