@@ -50,8 +50,8 @@ int fvi_parse_numbers(const char *field, const char *text, double low,
 int fvi_parse_word(const char *field, const char *text,
                    const char *const *words, size_t *which, fvi_error *error);
 
-/* fvi_scan_word -- Return which of the words, ended by NULL, the first `length` letters of the text are, from 0. Capitals
- * count as small letters. Return the number of words if they are none of them. Nothing is reported.
+/* fvi_scan_word -- Return which of the words, ended by NULL, the first `length` letters of the text are, from 0.
+ * Capitals count as small letters. Return the number of words if they are none of them. Nothing is reported.
  *
  *     const char *const words[] = { "held", "caputo", NULL };
  *     fvi_scan_word("Held:1", 4, words); // 0 */
@@ -106,7 +106,8 @@ int fvi_parse_named_table(const char *field, const char *file,
  *   names    one text for each column: one name, or several names as "omega|w|frequency"
  *   must_be_named  FVI_NAMES_NEEDED, 1: a file in which no line names all columns is refused. FVI_NAMES_OPTIONAL, 0:
  *            the first `count` columns of such a file are read. FVI_FIRST_NAME_CHECKED: they are read, but a line of
- *            names above the numbers must name the first column; for a column whose unit depends on its name
+ *            words above the numbers, of as many words as there are columns, must name the first column; for a column
+ *            whose unit depends on its name
  *   n        output: the number of rows
  *   columns  output: count columns of n numbers each, column after column in one block; free it with free(*columns)
  *   which    output, count numbers: which of its names each column has in the file, from 0; 0 if the file has no names

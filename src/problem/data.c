@@ -128,9 +128,9 @@ static choice choose_separator_columns(const char *line, const char *between, co
 }
 
 /* The names in the lines above the rows: the last line of words that names all columns, the last line of words and, for
- * each number of words, the last comment of that many words that names them. A comment may contain t and x among other words, so it counts
- * only if it has as many words as a row has numbers. A comment that names all columns but the first counts as a line of
- * words. `first` is the first word of that line. */
+ * each number of words, the last comment of that many words that names them. A comment may contain t and x among other
+ * words, so it counts only if it has as many words as a row has numbers. If the first name is checked, a comment that
+ * names all columns but the first is kept as a line of words, too. `first` is the first word of that line. */
 enum { WORDS = 1000, LETTERS = 60 };
 typedef struct {
     choice heading[SEPARATORS], partial[SEPARATORS], comment[WORDS];
@@ -157,7 +157,7 @@ static void read_names(names_above *above, fvi_rows *r, fvi_rows_kind kind, cons
         named = named || to[i].of;
         if (kind == FVI_ROWS_COMMENT && to[i].of < WORDS)
             above->comment[to[i].of] = to[i];
-        if (kind != FVI_ROWS_COMMENT || to[i].others)
+        if (kind != FVI_ROWS_COMMENT || (to[i].others && w->must_be_named == FVI_FIRST_NAME_CHECKED))
             store_partial_names(above, r->lines.text, i, &to[i]);
     }
     if (kind == FVI_ROWS_COMMENT || !named)

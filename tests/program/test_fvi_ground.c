@@ -83,6 +83,7 @@ START_TEST(files_are_picked_by_name_and_scaled)
 {
     write_file("a.csv", "acc;time;temp\n0;0;20\n0,5;1;21\n0;2;22\n0;30;21\n");
     write_file("b.tsv", "t F\n0 0\n1 -1\n2 0\n30 0\n");
+    write_file("c.tsv", "# F measured\n0 0\n1 -1\n2 0\n30 0\n"); /* a comment of two words is no line of names */
     const char *rest = "--x0 0 --p0 0 --steps 60 --h 0.1 --columns t,x,F";
     char line[300];
     snprintf(line, sizeof line, "run --force file:b.tsv %s", rest);
@@ -93,7 +94,7 @@ START_TEST(files_are_picked_by_name_and_scaled)
     static const char *const same[] = {
         "-2*file:a.csv:time,acc", "file:b.tsv:t,F", "-1*file:b.tsv + "
         "-4*file:a.csv:TIME,acc", "1/2*file:b.tsv + file:b.tsv:t,F + "
-        "1*file:a.csv:time,acc", "none + -2*file:a.csv:time,acc"
+        "1*file:a.csv:time,acc", "none + -2*file:a.csv:time,acc", "file:c.tsv"
     };
     for (size_t i = 0; i < LEN(same); i++) {
         snprintf(line, sizeof line, "run --force '%s' %s", same[i], rest);
