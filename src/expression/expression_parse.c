@@ -191,6 +191,10 @@ static int parse_number(parser *p)
         at = exponent + count_digits(exponent);
     }
     const double value = fvi_strtod(from, NULL);
+    if (isnan(value)) {
+        p->status = FVI_ENOMEM;
+        return 0;
+    }
     if (!isfinite(value))
         return refuse(p, from, "a number is too large");
     p->at = at;
