@@ -1,6 +1,8 @@
 /* src/problem/typed_mechanism.c -- Parse mechanisms, such as x2-x1 : power:0.4,0.3. [H 29] */
 #include "typed_mechanism.h"
 
+#include <fvi/format_double.h>
+
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
@@ -223,11 +225,13 @@ int fvi_damper_texts(size_t d, const double *rho, double alpha, const char *law,
     for (size_t i = 0; i < d; i++) {
         if (rho[i] == 0)
             continue;
+        char R[32], A[32];
+        fvi_format_double(rho[i], R);
+        fvi_format_double(alpha, A);
         if (law)
             snprintf(text, size, "x%zu : %s : %s", i + 1, law, past);
         else
-            snprintf(text, size, "x%zu : power:%.17g,%.17g : %s", i + 1, rho[i],
-                     alpha, past);
+            snprintf(text, size, "x%zu : power:%s,%s : %s", i + 1, R, A, past);
         (*list)[(*count)++] = text;
         text += size;
     }

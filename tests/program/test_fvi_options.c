@@ -261,8 +261,8 @@ START_TEST(digits_are_those_of_the_c_library)
 }
 END_TEST
 
-/* A number of any size has a point where the locale has a comma, too: written, and read in an option and in an
- * expression. The test makes such a locale, if it can. */
+/* A number of any size has a point where the locale has a comma, too: written, also in the text of a damper, and read in
+ * an option and in an expression. The test makes such a locale, if it can. */
 START_TEST(numbers_have_a_point_in_every_locale)
 {
     static const struct {
@@ -272,7 +272,9 @@ START_TEST(numbers_have_a_point_in_every_locale)
     char folder[] = "/tmp/fvi_locale_XXXXXX", command[120], text[32];
     const fvi_symbols names = { "x", 1, NULL, 0 };
     const double one = 1;
-    double read = 0;
+    double read = 0, rho = 2.5;
+    size_t count;
+    char **dampers;
     fvi_expression *e;
     ck_assert_ptr_nonnull(mkdtemp(folder));
     snprintf(command, sizeof command, "localedef -i de_DE -f ISO-8859-1 %s/comma >%s/log 2>&1", folder, folder);
@@ -287,6 +289,9 @@ START_TEST(numbers_have_a_point_in_every_locale)
     ck_assert_int_eq(fvi_expression_parse("1.5*x^2 + .25", &names, NULL, &e, NULL), FVI_SUCCESS);
     ck_assert(fvi_expression_value(e, &one) == 1.75);
     fvi_expression_free(e);
+    ck_assert_int_eq(fvi_damper_texts(1, &rho, 0.3, NULL, NULL, &count, &dampers, NULL), FVI_SUCCESS);
+    ck_assert_str_eq(dampers[0], "x1 : power:2.5,0.3 : held");
+    free(dampers);
     setlocale(LC_NUMERIC, "C");
     unsetenv("LOCPATH");
     snprintf(command, sizeof command, "rm -r %s", folder);
