@@ -78,7 +78,8 @@ static int evaluate(const changed_run *o, int has_start, double *L)
 
 /* ---- difference quotients ---- */
 
-/* The weights of order 6 for points around the number. One side of it has those of fvi_one_sided. */
+/* The weights of a difference of order 6 for points on both sides of the number: central[i] for the number + i step,
+ * and -central[i] for the number - i step. Points on one side have fvi_one_sided_weights. */
 static const double central[] = { 0, 3. / 4, -3. / 20, 1. / 60 };
 
 /* On which side of the number the seven points must lie so that no border lies between them: +1, -1, or 0 for both
@@ -101,7 +102,7 @@ static int differentiate(const changed_run *o, double *number, double step, int 
     double sum = 0;
     int status = FVI_SUCCESS;
     for (int i = side ? 0 : -3; i <= (side ? 6 : 3) && !status; i++) {
-        const double weight = side ? side * fvi_one_sided[i] : i < 0 ? -central[-i] : central[i];
+        const double weight = side ? side * fvi_one_sided_weights[i] : i < 0 ? -central[-i] : central[i];
         double L = 0;
         *number = at + (side ? side : 1) * i * step;
         if (weight != 0)

@@ -63,8 +63,8 @@ static void update_half_bandwidth(fvi_expression *e, const term *t)
                 e->half_bandwidth = (size_t)(t->coordinate[i] - t->coordinate[j]);
 }
 
-/* Replace the arrays of the term by copies of their exact length, in one block that begins at t->node. Return 0 if there
- * is no memory. */
+/* Replace the arrays of the term by copies of their exact length, in one block that begins at t->node. Return 0 if
+ * there is no memory. */
 static int shrink_term(term *t)
 {
     fvi_node *node = malloc(t->count * sizeof *node + t->coordinates * sizeof *t->coordinate);

@@ -166,7 +166,7 @@ double complex fvi_symbol_by_differences(const fvi_kernel_term *term, double com
     double complex sum = 0;
     for (int i = 0; i <= 6 && is_size && at == 0; i++) {
         *number = i * step;
-        sum += fvi_one_sided[i] * fvi_kernel_at(&law, s, NULL);
+        sum += fvi_one_sided_weights[i] * fvi_kernel_at(&law, s, NULL);
     }
     for (int i = -4; i <= 4 && !(is_size && at == 0); i++) {
         *number = at + i * step;

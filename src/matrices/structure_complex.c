@@ -3,6 +3,7 @@
 
 #include "complex_factors.h"
 #include "system/fail.h"
+#include "system/larger.h"
 #include "system/vectors.h"
 
 #include <stdlib.h>
@@ -128,7 +129,8 @@ static int eliminate_bands(const complex_terms *terms, complex_solver *c)
     return factorise_lanes(c->n, c->w, c->band);
 }
 
-/* Write the entries of sum i. `place` has the positions of the entries of all matrices, as fvi_sparse_union gives them. */
+/* Write the entries of sum i. `place` has the positions of the entries of all matrices, as fvi_sparse_union gives
+ * them. */
 static void add_entries(const complex_terms *terms, size_t i, const int *place, complex_solver *c)
 {
     memset(c->entry, 0, (size_t)c->start[c->n] * sizeof *c->entry);
@@ -159,11 +161,6 @@ static int factorise_sparse(const complex_terms *terms, complex_solver *c)
     return status;
 }
 
-static size_t wider_of(size_t w, size_t other)
-{
-    return w > other ? w : other;
-}
-
 /* List the matrices that exist among M, C or the C_j, and K. */
 static void list_terms(const fvi_structure *s, complex_terms *terms)
 {
@@ -191,7 +188,7 @@ static int factorise(size_t d, size_t count, const double *factor, const void *p
         c->count = count;
         list_terms(s, &terms);
         for (size_t l = 0; l < terms.count; l++)
-            c->w = wider_of(c->w, fvi_sparse_half_band(terms.matrix[l]));
+            c->w = larger_count(c->w, fvi_sparse_half_band(terms.matrix[l]));
         status = fvi_choose_factorisation_of_band(c->w) != FVI_BY_CHOLMOD ? eliminate_bands(&terms, c)
                                                                           : factorise_sparse(&terms, c);
     }

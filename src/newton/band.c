@@ -70,7 +70,7 @@ int fvi_band_factorise(fvi_band *J)
         const size_t below = smaller_count(J->n, k + J->w + 1);
         const size_t p = J->pivot[k] = pivot_row(J, k, below);
         double *top = fvi_band_row(J, k), *other = fvi_band_row(J, p);
-        right = right > p + J->w + 1 ? right : smaller_count(J->n, p + J->w + 1);
+        right = larger_count(right, smaller_count(J->n, p + J->w + 1));
         if (other[k] == 0)
             return FVI_ESING;
         for (size_t j = k; p != k && j < right; j++) {

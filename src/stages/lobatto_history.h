@@ -41,8 +41,8 @@ int fvi_lobatto_history_of_kernel(size_t s, const fvi_kernel *law, double h, siz
                               double tolerance, fvi_lobatto_history **memory);
 
 /* fvi_lobatto_history_bytes -- Return the number of bytes that fvi_lobatto_history_alloc will allocate and keep without
- * derivatives. The arguments are the same. The result is a double, because it may be too large to be addressed. Return 0 if
- * fvi_lobatto_history_alloc would refuse the arguments. */
+ * derivatives. The arguments are the same. The result is a double, because it may be too large to be addressed. Return
+ * 0 if fvi_lobatto_history_alloc would refuse the arguments. */
 double fvi_lobatto_history_bytes(size_t s, double beta, size_t d, size_t steps,
                                 fvi_history_kind kind, double tolerance);
 
@@ -58,7 +58,8 @@ const double *fvi_lobatto_history_w0(const fvi_lobatto_history *memory);
  * history was made by_order. */
 const double *fvi_lobatto_history_w0_by_order(const fvi_lobatto_history *memory);
 
-/* fvi_lobatto_history_push -- Take in v_k, and compute H_{k+1} and its derivative by beta for fixed v. [(17.12), (23.14)]
+/* fvi_lobatto_history_push -- Take in v_k, and compute H_{k+1} and its derivative by beta for fixed v. [(17.12),
+ * (23.14)]
  *
  *   v     s d numbers: stage i of coordinate j at [j * s + i]
  *   H     output, ordered as v; may be v

@@ -2,8 +2,8 @@
 #ifndef FVI_ONE_SIDED_H
 #define FVI_ONE_SIDED_H
 
-/* f'(x) = sum_{i=0}^{6} fvi_one_sided[i] f(x + i h) / h with an error of order h^6. With -h in place of h the points lie
- * below x. */
-static const double fvi_one_sided[] = { -49. / 20, 6, -15. / 2, 20. / 3, -15. / 4, 6. / 5, -1. / 6 };
+/* The sum of fvi_one_sided_weights[i] f(x + i h) / h over i = 0, ..., 6 is f'(x) with an error of order h^6. For h < 0
+ * the points lie below x. */
+static const double fvi_one_sided_weights[] = { -49. / 20, 6, -15. / 2, 20. / 3, -15. / 4, 6. / 5, -1. / 6 };
 
 #endif

@@ -12,8 +12,8 @@
  * Cost: reads a full H once, and a band twice. */
 double fvi_stiffness(const fvi_system *system, const double *H);
 
-/* fvi_potential_stiffness -- Compute the same number from the Hessian at x, of a potential that has one. Return FVI_SUCCESS;
- * FVI_ENOMEM; what the Hessian returned. The error handler is not called. */
+/* fvi_potential_stiffness -- Compute the same number from the Hessian at x, of a potential that has one. Return
+ * FVI_SUCCESS; FVI_ENOMEM; what the Hessian returned. The error handler is not called. */
 int fvi_potential_stiffness(const fvi_system *system, const double *x, double *stiffness);
 
 #endif

@@ -280,9 +280,9 @@ static double sum_of(const nodes *m, double n, size_t row, size_t column)
     return sum;
 }
 
-/* A run's few nodes against the nodes of the weights, whose tolerance is 1e-16. Entries of a are at most 1/b_1 at mu = 0,
- * and those of W_0 are of the size b_1^-beta, so the sums may differ by the tolerance of that over b_1; and by roundings
- * of up to 300 terms. Seen: 0.2 of it. Nodes that hardly decay are seen where beta is near -1. */
+/* A run's few nodes against the nodes of the weights, whose tolerance is 1e-16. Entries of a are at most 1/b_1 at
+ * mu = 0, and those of W_0 are of the size b_1^-beta, so the sums may differ by the tolerance of that over b_1; and by
+ * roundings of up to 300 terms. Seen: 0.2 of it. Nodes that hardly decay are seen where beta is near -1. */
 START_TEST(eq_17_12_few_nodes_are_the_sums_of_all)
 {
     static nodes all, few;
