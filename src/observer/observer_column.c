@@ -27,9 +27,8 @@ size_t fvi_observer_damper_of(const fvi_observer *o, size_t i, size_t *coordinat
     size_t j = 0;
     while (i >= fvi_observer_width(o, j))
         i -= fvi_observer_width(o, j++);
-    *coordinate = o->has_mechanism                  ? 0
-                  : fvi_observer_width(o, j) < o->d ? largest_entry(o->mechanism->damper[j].of.row, o->d)
-                                                    : i;
+    const double *row = fvi_observer_row(o, j);
+    *coordinate = o->has_mechanism ? 0 : row ? largest_entry(row, o->d) : i;
     return j;
 }
 
@@ -38,8 +37,8 @@ static size_t place_among_tracked(const fvi_observer *o, size_t i, double *unit)
 {
     size_t at;
     const size_t j = fvi_observer_damper_of(o, i, &at);
-    const int is_row = !o->has_mechanism && fvi_observer_width(o, j) < o->d;
-    *unit = is_row ? o->mechanism->damper[j].of.row[at] : 1;
+    const double *row = fvi_observer_row(o, j);
+    *unit = row ? row[at] : 1;
     return o->has_mechanism ? j : j * o->d + at;
 }
 

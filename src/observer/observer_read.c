@@ -197,14 +197,13 @@ static void reduce_to_multipliers(const fvi_observer *o, double *forces)
 {
     double *to = forces;
     for (size_t j = 0; o->mechanism && !o->has_mechanism && j < o->dampers; j++) {
-        const double *from = forces + j * o->d,
-                     *row = o->mechanism->damper[j].of.row;
+        const double *from = forces + j * o->d, *row = fvi_observer_row(o, j);
         double sum = 0, square = 0;
-        for (size_t i = 0; i < o->d && fvi_observer_width(o, j) == 1; i++) {
+        for (size_t i = 0; row && i < o->d; i++) {
             sum += row[i] * from[i];
             square += row[i] * row[i];
         }
-        if (fvi_observer_width(o, j) == 1)
+        if (row)
             *to++ = square > 0 ? sum / square : 0;
         else
             for (size_t i = 0; i < o->d; i++)

@@ -260,6 +260,11 @@ size_t fvi_observer_width(const fvi_observer *o, size_t j)
                                                              : o->d;
 }
 
+const double *fvi_observer_row(const fvi_observer *o, size_t j)
+{
+    return !o->mechanism || o->has_mechanism || o->mechanism->damper[j].matrix ? NULL : o->mechanism->damper[j].of.row;
+}
+
 int fvi_observer_copy(const fvi_observer *from, fvi_observer **to)
 {
     fvi_observer *o = from ? malloc(sizeof *o) : NULL;

@@ -77,6 +77,11 @@ struct fvi_observer {
     double *x, *p, *v, *a, *F, *g, *force, *impulse_now, *work_now, *contact;
 };
 
+/* fvi_observer_row -- the row of damper j of a structure, d numbers: its force is one number times the row. NULL: the
+ * damper has a matrix, or the forces of the system stand along elongations. A structure with one unknown may have both
+ * kinds of dampers, and the forces of both are one number. */
+const double *fvi_observer_row(const fvi_observer *o, size_t j);
+
 /* fvi_observer_velocity -- write v = M^-1 p, or the velocity of the mechanism of s. */
 int fvi_observer_velocity(const fvi_observer *o, const fvi_stepper *s,
                           const double *p, double *v);
