@@ -4,6 +4,7 @@
 #include "fvi_fit_answer.h"
 #include "fvi_fit_records.h"
 #include "fvi_fit_material.h"
+#include "command_shared/fvi_run_warn.h"
 #include "output/fvi_complain.h"
 #include "output/fvi_output.h"
 #include "input/fvi_files.h"
@@ -318,7 +319,10 @@ int fvi_command_fit(int argc, char **argv)
         status = is_plan ? planned_times(&r, c) : read_data(&r, c);
     if (!status)
         status = check_start(&r, c);
-    status = status ? fvi_refused(&error, fit.name) : is_plan ? print_plan(&r, &command) : search_and_print(&r);
+    status = status                                 ? fvi_refused(&error, fit.name)
+             : fvi_run_warn_of_memory(&r.o, &r.run) ? 1
+             : is_plan                              ? print_plan(&r, &command)
+                                                    : search_and_print(&r);
     fvi_fit_records_free(&r);
     fvi_options_free(&r.o);
     free(r.t);

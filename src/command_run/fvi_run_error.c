@@ -195,7 +195,7 @@ int fvi_command_error(const fvi_options *o, const fvi_system *system)
     fvi_run_events events = { 0 };
     int failed = find_step(o, &r, x, p, typed, &found, &events);
     if (!failed)
-        failed = warn_of_inertia(o, system, found.rows, x, p);
+        failed = fvi_run_warn_of_memory(o, &r) || warn_of_inertia(o, system, found.rows, x, p);
     if (!failed)
         failed = print_found(&t, &found, x, p, typed, &events);
     free(events.at);

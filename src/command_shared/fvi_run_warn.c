@@ -5,12 +5,26 @@
 
 #include <stdlib.h>
 
+int fvi_run_warn_of_memory(const fvi_options *o, const fvi_run *r)
+{
+    fvi_run typed = *r;
+    char text[FVI_WARNING_ROOM];
+    if (o->text[TOLERANCE] == fvi_option_list[TOLERANCE].preset)
+        typed.tolerance = 0;
+    const int warned = fvi_warning_of_memory(o->method, &typed, sizeof text, text);
+    if (warned > 0)
+        fvi_warn(text);
+    return warned < 0 ? fvi_complain("not enough memory") : 0;
+}
+
 int fvi_run_warn(const fvi_options *o, const fvi_run *r, size_t size,
                  char *text)
 {
     const int warned = fvi_warning_of_step(o->method, r, size, text);
     if (warned < 0)
         return fvi_complain("not enough memory");
+    if (fvi_run_warn_of_memory(o, r))
+        return 1;
     if (o->no_solution)
         fvi_warn(o->no_solution);
     if (warned)

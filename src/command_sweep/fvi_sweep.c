@@ -4,6 +4,7 @@
 #include <fvi/fvi.h>
 #include "fvi_sweep.h"
 #include "command_shared/fvi_run_start.h"
+#include "command_shared/fvi_run_warn.h"
 #include "output/fvi_format.h"
 #include "sweep_lanes.h"
 #include "output/fvi_output.h"
@@ -295,8 +296,11 @@ static int run_all(const sweep_grid *g, const fvi_options *o,
 {
     const size_t rows = (*first)[g->runs];
     const fvi_system system = fvi_options_system(o);
+    const fvi_run run = fvi_options_run(o, &system);
     fvi_table t;
     board b;
+    if (fvi_run_warn_of_memory(o, &run))
+        return 1;
     fvi_table_shape(&t, o, &system);
     if (!open_board(&b, g->runs, rows, g->count + t.width))
         return fvi_complain("not enough memory");

@@ -37,7 +37,7 @@ typedef struct fvi_event fvi_event; /* events.h */
  *   past     what the body did before t = 0 (past.h); zeroed: it was held at x0
  *   memory   how the history is summed (memory.h)
  *   tolerance  the tolerance of the modes, relative to the direct sum, in [0, 1); 0: the default 1e-13. It has no
- *            effect without a history
+ *            effect without a history; fvi_warning_of_memory (warnings.h) tells where else it has none
  *   step_error  for methods that choose their steps: the largest estimated error of x in one step, in the unit of x,
  *            >= 0; 0: 1e-10 of the largest |x_i| so far. A step_error below 1e-17 of the size at the start is refused
  *            (FVI_ETOL). If the motion grows, the method allows 1e-17 of the new size at least. For these methods h and

@@ -1,8 +1,8 @@
-/* src/fvi/warnings.h -- Warnings: reasons to doubt the numbers of a run.                            [H 14, 19]
+/* src/fvi/warnings.h -- Warnings: reasons to doubt the numbers of a run.                        [H 12, 14, 19]
  *
  * A warning is no error: the run can be made, and its numbers are those of the method. But they are not the numbers of
- * a motion. The text of a warning is one line of English without a full stop. The program prints it, and Python hands
- * it to warnings.warn.
+ * a motion, or something that the caller asked for has no effect on them. The text of a warning is one line of English
+ * without a full stop. The program prints it, and Python hands it to warnings.warn.
  *
  * Each function returns 1 and a text if there is a warning; 0 if there is none; and -1 and a text if there is no memory
  * to find out. After -1 the program and Python refuse the run. The warnings of a fit are in identification.h.
@@ -41,6 +41,23 @@ int fvi_warning_of_initial_history(const fvi_run *run, const char **text);
  * than 256 masses). Cost: one load; some sixty loads if it is above 1. */
 int fvi_warning_of_step(const fvi_method *method, const fvi_run *run,
                         size_t size, char *text);
+
+/* fvi_warning_of_memory -- Warn if the caller asks for a memory or a tolerance that the run does not read.    [H 12]
+ *
+ *   method, run  as for fvi_stepper_start
+ *   size, text   as above
+ *
+ * A method without a memory, for example fvi_lagrange_dalembert, does not read run->memory. FVI_HISTORY_MODES is then a
+ * warning. FVI_HISTORY_DIRECT is none, because nothing is left out of the sum. A run->tolerance other than 0 is a
+ * warning in four cases: the method has no memory; it chooses its steps, as fvi_variable_step does; run->memory is
+ * FVI_HISTORY_DIRECT; or no law of the run has decaying modes, so FVI_HISTORY_AUTO sums directly.
+ *
+ *     run.tolerance = 1e-6;
+ *     fvi_warning_of_memory(&fvi_variable_step, &run, sizeof text, text);
+ *     // "tolerance 1e-06 has no effect: fvi-adaptive keeps its memory to the error of its steps"
+ *
+ * Cost: some comparisons. With a tolerance, FVI_HISTORY_AUTO and a law it costs as much as fvi_method_has_modes. */
+int fvi_warning_of_memory(const fvi_method *method, const fvi_run *run, size_t size, char *text);
 
 /* fvi_watch -- the state of a watch over a run that may become stiffer on its way; owned by the caller. */
 typedef struct {

@@ -10,7 +10,7 @@ static const struct {
     const char *plots; /* the picture that they draw */
 } parts[9] = {
     { "README.md", "\n## Use\n", 1, 1, NULL },
-    { "chapters/handbook/manual.md", "\n## The program\n", 13, 11, "build/own.svg" },
+    { "chapters/handbook/manual.md", "\n## The program\n", 14, 12, "build/own.svg" },
     { "chapters/handbook/manual.md", "\n## Any Lagrangian\n", 6, 6, "build/elastic.svg" },
     { "chapters/handbook/manual.md", "\n## A building on isolators\n", 1, 1, NULL },
     { "chapters/handbook/reports.md", "\n## A frame on a springpot\n", 1, 1, NULL },

@@ -239,6 +239,57 @@ START_TEST(an_inertia_that_vanishes_is_warned_of_in_a_sweep)
 }
 END_TEST
 
+/* Said on standard error alone: rows, head and exit code are those that scripts have. A default is no wish, and who
+ * asks for the direct sum of a method without a memory has it. */
+START_TEST(a_memory_that_is_not_read_is_warned_of)
+{
+    static const char *const silent[] = {
+        "run --method lda --memory direct", "run --method lda --memory auto", "run --memory direct",
+        "run --method fvi-adaptive --memory exponentials", "run --alpha 0.3 --tolerance 1e-6",
+        "run --damping zener:1,0.3,2 --tolerance 1e-6", "gradient --alpha 0.3 --tolerance 1e-6",
+        "sweep --alpha 0.3 --vary tolerance=1e-3,1e-6",
+        "run --damper 'x : zener:1,0.48,2' --damper 'x : zener:1,0.3,2' --tolerance 1e-6"
+    };
+    static const struct {
+        const char *words, *said;
+    } runs[] = {
+        { "run --method lda --memory exponentials",
+          "memory exponentials has no effect: lda keeps no memory of the past" },
+        { "run --method euler-implicit --tolerance 1e-6",
+          "tolerance 1e-06 has no effect: euler-implicit keeps no memory of the past" },
+        { "run --memory direct --tolerance 1e-13",
+          "tolerance 1e-13 has no effect: fvi sums the whole past directly here, with rounding errors alone" },
+        { "run --step-error 1e-6 --tolerance 1e-6",
+          "tolerance 1e-06 has no effect: fvi-adaptive keeps its memory to the error of its steps" },
+        { "run --damper 'x : zener:1,0.48,2' --damper 'x : zener:2,0.48,2' --tolerance 1e-6",
+          "tolerance 1e-06 has no effect: fvi sums the whole past directly here, because no law of the run has "
+          "decaying modes" },
+        { "sweep --vary tolerance=1e-3,1e-6 --memory direct",
+          "tolerance 0.001 has no effect: fvi sums the whole past directly here, with rounding errors alone" },
+        { "gradient --memory direct --tolerance 1e-6",
+          "tolerance 1e-06 has no effect: fvi sums the whole past directly here, with rounding errors alone" },
+        { "fit --design --fit rho --sigma 0.1 --method lda --memory exponentials",
+          "memory exponentials has no effect: lda keeps no memory of the past" },
+    };
+    char line[300];
+    for (size_t i = 0; i < LEN(silent); i++) {
+        ck_assert_msg(fvi(silent[i]) == 0 && *err == '\0', "%s: %s", silent[i], err);
+    }
+    for (size_t i = 0; i < LEN(runs); i++) {
+        ck_assert_msg(fvi(runs[i].words) == 0, "%s: %s", runs[i].words, err);
+        snprintf(line, sizeof line, "fvi: warning: %s\n", runs[i].said);
+        ck_assert_str_eq(err, line);
+        ck_assert_ptr_null(strstr(out, "warning"));
+    }
+    ck_assert_int_eq(fvi("run --error 1e-3 --tolerance 1e-6 --steps 2"), 0);
+    ck_assert_ptr_nonnull(strstr(err, " steps\nfvi: warning: tolerance 1e-06 has no effect: fvi-adaptive keeps"));
+    ck_assert_int_eq(fvi("run --error 1e-3 --method fvi-bdf2 --tolerance 1e-6 --steps 2"), 0);
+    ck_assert_uint_eq(count_lines(err), 1);
+    ck_assert_int_eq(fvi("run --tolerance 2 --memory direct"), 2);
+    ck_assert_uint_eq(count_lines(err), 2);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("the program fvi: what it warns of");
@@ -248,6 +299,7 @@ int main(void)
              an_unstable_step_with_stages_is_warned_of,
              an_unstable_step_of_explicit_euler_is_warned_of,
              a_run_that_gets_stiffer_is_warned_of,
-             an_inertia_that_vanishes_is_warned_of_in_a_sweep);
+             an_inertia_that_vanishes_is_warned_of_in_a_sweep,
+             a_memory_that_is_not_read_is_warned_of);
     return run_suite_of_program(suite);
 }

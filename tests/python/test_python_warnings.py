@@ -38,6 +38,12 @@ PENDULUM = fvi.Problem("pendulum:1", x0=1.5, p0=0, rho=0.05, time=50)
     (lambda: fvi.solve(PENDULUM, [7.5], h=2.5, kappa=1), ["run", *STIFFER]),
     (lambda: fvi.solve(fvi.Problem(past="rl", alpha=0.7, time=0.4), h=0.1), ["run", *NO_SOLUTION]),
     (lambda: fvi.control(fvi.Problem(past="rl", alpha=0.7, time=0.4), 0, 0, h=0.1, method="fvi"), ["run", *NO_SOLUTION]),
+    (lambda: fvi.solve(fvi.Problem(time=2), h=0.1, method="lda", memory="exponentials"),
+     ["run", "--steps", "20", "--method", "lda", "--memory", "exponentials"]),
+    (lambda: fvi.solve(fvi.Problem(time=2), error=1e-3, tolerance=1e-6), ["run", "--error", "1e-3", "--tolerance", "1e-6"]),
+    (lambda: fvi.run(memory="direct", tolerance=1e-6), ["run", "--memory", "direct", "--tolerance", "1e-6"]),
+    (lambda: fvi.run(error=1e-3, tolerance=1e-6), ["run", "--error", "1e-3", "--tolerance", "1e-6"]),
+    (lambda: fvi.Stepper(method="fvi-adaptive", tolerance=1e-6), ["run", "--method", "fvi-adaptive", "--tolerance", "1e-6"]),
     (lambda: fvi.poles(fvi.Problem("pendulum:1")), ["poles", "--potential", "pendulum:1", "--x0", "1"]),
     (lambda: fvi.response(fvi.Problem("pendulum:1"), 1), ["response", "--omega", "1", "--potential", "pendulum:1", "--x0", "1"]),
     (lambda: fvi.poles(fvi.Problem("chain:3,1,0", x0=0), 2), ["poles", "--potential", "chain:3,1,0", "--count", "2"]),
@@ -46,6 +52,14 @@ PENDULUM = fvi.Problem("pendulum:1", x0=1.5, p0=0, rho=0.05, time=50)
 def test_a_warning_of_the_program_is_one_of_python(call, words):
     said = said_by_the_program(*words)
     assert len(said) == 1 and said_by(call) == said
+
+
+def test_a_fit_warns_of_a_memory_that_its_method_does_not_read():
+    t, x = fvi.run(method="lda", steps=40)[:2]
+    said = said_by_the_program("fit", "--design", "--fit", "rho", "--sigma", "0.1", "--method", "lda", "--memory", "exponentials")
+    assert len(said) == 1
+    assert said[0] in said_by(lambda: fvi.fit(t, x, which="rho", method="lda", memory="exponentials"))
+    assert said[0] not in said_by(lambda: fvi.fit(t, x, which="rho", method="lda", memory="direct"))
 
 
 def test_of_times_of_ones_own_only_these_are_looked_at():

@@ -54,10 +54,12 @@ static int load_of_full(const fvi_method *method)
     return fvi_stability_number(method, &run, &growth);
 }
 
-/* Of an unstable step, and of a place where it is one. */
+/* Of an unstable step, of a place where it is one, and of a tolerance that only the modes of a law would read. */
 static int warnings(const fvi_method *method)
 {
     static const double far[] = { 9, -9, 9 };
+    static const fvi_kernel_term zener = { .kind = FVI_KERNEL_ZENER, .rho = 1, .alpha = 0.3, .time = 1 };
+    static const fvi_kernel law = { 1, &zener };
     char text[FVI_WARNING_ROOM];
     fvi_system system;
     fvi_run run = run_of(&system, NULL);
@@ -68,9 +70,12 @@ static int warnings(const fvi_method *method)
                   fvi_warning_of_step(method, &run, sizeof text, text),
               along = fvi_warning_along(&watch, method, &run, 1, far,
                                         sizeof text, text);
-    return at_start < 0 || along < 0      ? FVI_ENOMEM
-           : at_start == 1 && along == 1 ? 0
-                                         : -1;
+    run.law = &law;
+    run.tolerance = 1e-6;
+    const int of_memory = fvi_warning_of_memory(method, &run, sizeof text, text);
+    return at_start < 0 || along < 0 || of_memory < 0       ? FVI_ENOMEM
+           : at_start == 1 && along == 1 && of_memory == 0 ? 0
+                                                           : -1;
 }
 
 static int control(const fvi_method *method)

@@ -134,6 +134,7 @@ int fvi_solve(const fvi_problem *problem, const fvi_solve_options *options, cons
 enum { FVI_WARNING_ROOM = 400 };
 int fvi_warning_of_initial_history(const fvi_run *run, const char **text);
 int fvi_warning_of_step(const fvi_method *method, const fvi_run *run, size_t size, char *text);
+int fvi_warning_of_memory(const fvi_method *method, const fvi_run *run, size_t size, char *text);
 int fvi_warning_of_inertia_in_rows(const fvi_system *system, size_t rows, const double *t, const double *x, const double *p,
                                    size_t size, char *text);
 typedef struct { double stiffest; size_t next; } fvi_watch;

@@ -8,7 +8,7 @@ import numpy as np
 
 from ._arguments import Array, Numbers, described, lines_of_answer, names as names_of, number, numbers, row, spelt, whole, word
 from ._fvi import ffi, lib
-from ._library import ask, ask_for_warning, failure, succeed, text_of, understand, warn
+from ._library import ask, ask_for_warning, failure, succeed, text_of, understand, warn, warn_of_memory
 from .errors import Error
 from ._problem import Problem
 from ._run import prepare
@@ -237,6 +237,7 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential, Problem] = "har
     question.starts, question.h, question.huber = starts, number("h", h), number("huber", huber)
     if method is None and not h and not {"kappa", "memory", "tolerance"} & set(options):
         question.method = lib.fvi_estimate_method(question) or best
+    warn_of_memory(question.method, model)
     put_box(question, system, names)
     curve, f = np.empty(sum(each.x.size for each in found)), ffi.new("fvi_estimate *")
     status = ask(lib.fvi_estimate_multistart, question, ffi.from_buffer("double[]", curve), f)

@@ -158,8 +158,14 @@ def ask_for_constant_warning(function: Callable[..., int], *arguments: Any) -> N
         warn(text_of(text[0]))
 
 
+def warn_of_memory(method: Any, run: Any) -> None:
+    """Of a memory or a tolerance that the run does not read."""
+    ask_for_warning(lib.fvi_warning_of_memory, method, run)
+
+
 def warn_of_start(method: Any, run: Any) -> Any:
     """What the program says before the first step. Returns how to watch what comes after it."""
+    warn_of_memory(method, run)
     if method.paper_convention:
         ask_for_constant_warning(lib.fvi_warning_of_initial_history, run)
     is_unstable = ask_for_warning(lib.fvi_warning_of_step, method, run)

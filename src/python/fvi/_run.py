@@ -9,7 +9,7 @@ import numpy as np
 
 from ._arguments import Array, Numbers, choice, nearest, number, numbers, row, spelt, whole, word
 from ._fvi import ffi, lib
-from ._library import STOPPED, ask, ask_for_warning, error_of, failure, succeed, text_of, warn_of_start
+from ._library import STOPPED, ask, ask_for_warning, error_of, failure, succeed, text_of, warn_of_memory, warn_of_start
 from .errors import Error
 from ._system import Law, Potential, System
 
@@ -375,6 +375,7 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
             raise Error(f"error: {error} is not above 0, or not finite", lib.FVI_EDOM)
         if is_open:
             method = lib.fvi_method_for_error(r, number("error", error))
+        warn_of_memory(method, r)
         estimate = solve(method, r, number("time", options["time"]), number("error", error), most, pointers)
     x, p, energy = (out[n] if n in wanted else None for n in ("x", "p", "energy"))
     return Run(np.arange(rows) * r.h, x, p, energy, estimate)

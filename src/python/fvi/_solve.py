@@ -13,7 +13,7 @@ from ._arguments import Array, Numbers, choice, described, function, nearest, nu
 from ._checkpoint import Checkpoint, rows_by_stepper
 from ._events import Event, Events, Happened, listed
 from ._fvi import ffi, lib
-from ._library import ask, ask_for_warning, error_of, failure, keep, succeed, text_of, understand, warn, warn_of_start
+from ._library import ask, ask_for_warning, error_of, failure, keep, succeed, text_of, understand, warn, warn_of_memory, warn_of_start
 from ._mechanism import Mechanism, Structure, own_law
 from ._problem import Problem
 from ._run import MEMORIES, PASTS, length, methods, refused
@@ -265,7 +265,7 @@ class Found(NamedTuple):
 def solved(problem: Problem, how: Numerics, progress: Progress) -> Solution:
     tell = teller(progress)
     motion = Motion(problem, how)
-    watch = warn_of_start(motion.method, motion.run) if how.error is None else None
+    watch = (warn_of_start if how.error is None else warn_of_memory)(motion.method, motion.run)
     rows, d = how.steps + 1 if how.t_eval is None else how.t_eval.size, motion.system.d
     x, p = np.full((2, rows, d), np.nan)
     handle = ffi.new_handle(tell)
