@@ -44,6 +44,15 @@ static inline int shell(const char *command)
     return collect(system(line));
 }
 
+/* A piece of a shell's line: wait until the program $pid catches SIGTERM, 5 s at most. On a busy machine it may take
+ * that long to begin, and a signal before it catches one tests nothing. The fourth digit of the mask is that of the
+ * signals 13 to 16; a run with a checkpoint catches SIGALRM, too, and has [67ef] there. */
+#define CATCHES_TERM "[4-7c-f]"
+#define CATCHES_TERM_AND_ALARM "[67ef]"
+#define WAIT_UNTIL(catches)                                                             \
+    "n=0; until grep -q '^SigCgt:.*" catches "...$' /proc/$pid/status || "              \
+    "[ $((n += 1)) -gt 500 ]; do sleep 0.01; done; "
+
 /* The program alone, without a shell: words are what spaces divide. */
 static inline int fvi_of_words(const char *arguments)
 {

@@ -58,13 +58,13 @@ START_TEST(an_interrupted_run_leaves_no_file)
 {
     ck_assert_int_eq(
         shell("\"$FVI\" run --steps 1e5 --alpha 0.3 --memory direct "
-              "-o gone & pid=$!; sleep 0.3; "
+              "-o gone & pid=$!; " WAIT_UNTIL(CATCHES_TERM) "sleep 0.1; "
               "kill $pid; wait $pid; test $? = 143"),
         0);
     ck_assert(!exists("gone"));
     ck_assert_int_eq(shell("trap '' HUP; \"$FVI\" run --steps 1e5 --alpha 0.3 "
-                           "--memory direct -o kept & pid=$!; sleep 0.3; "
-                           "kill -HUP $pid; sleep 0.1; kill $pid; "
+                           "--memory direct -o kept & pid=$!; " WAIT_UNTIL(CATCHES_TERM)
+                           "sleep 0.1; kill -HUP $pid; sleep 0.1; kill $pid; "
                            "wait $pid; test $? = 143"),
                      0);
     ck_assert_int_eq(shell("ls -A | grep '[.]fvi-'"), 1);
@@ -77,7 +77,8 @@ START_TEST(a_killed_run_leaves_no_file)
 {
     ck_assert_int_eq(
         shell("\"$FVI\" run --steps 1e5 --alpha 0.3 --memory direct "
-              "-o killed & pid=$!; sleep 0.3; ls -lL /proc/$pid/fd > names; "
+              "-o killed & pid=$!; " WAIT_UNTIL(CATCHES_TERM)
+              "sleep 0.1; ls -lL /proc/$pid/fd > names; "
               "ls -A | grep -c '[.]fvi-' > count; "
               "kill -9 $pid; wait $pid; test $? = 137; cat count"),
         0);
