@@ -39,7 +39,7 @@ static int start_impulses(const fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_
 {
     const fvi_lobatto_rule *rule = m->o->rule;
     const fvi_damper *damper = damper_of(m, a);
-    const size_t j = a->damper, d = m->d;
+    const size_t j = a->damper;
     const int is_power = fvi_kernel_is_power(a->kernel),
               is_stretched = damper->past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE && !is_first_order(m),
               is_sum = is_stretched && !is_power
@@ -47,11 +47,10 @@ static int start_impulses(const fvi_adjoint_mechanism *m, fvi_adjoint_mechanism_
     a->needs_start_slope = !is_sum && fvi_mechanism_needs_start_slope(m->o, damper);
     a->needs_start_place = is_sum || (is_stretched && fvi_kernel_growth(a->kernel) < 1);
     a->A = a->needs_start_place ? m->o->z[j] : 0;
-    for (size_t i = 0; a->needs_start_slope && i < d; i++)
-        a->A += m->G0[j * d + i] * m->v0[i];
-    if ((!a->needs_start_slope && !a->needs_start_place) || is_first_order(m)
+    const int status = a->needs_start_slope ? fvi_mechanism_slope(m->stepper, j, m->v0, &a->A) : FVI_SUCCESS;
+    if (status || (!a->needs_start_slope && !a->needs_start_place) || is_first_order(m)
         || (a->needs_start_slope && damper->past == FVI_INITIAL_HISTORY_CAPUTO))
-        return FVI_SUCCESS;
+        return status;
     if (!is_sum && !is_power)
         return rule ? fvi_impulses_of_kernel_at_stages(a->kernel, m->run->h, m->s, rule->c, &a->impulses)
                     : fvi_impulses_of_kernel_alloc(a->kernel, m->run->h, &a->impulses);

@@ -237,6 +237,49 @@ START_TEST(a_factor_of_an_elongation_is_twice_one_of_the_law)
 }
 END_TEST
 
+/* A body that only a force and a damper move. If the elongation is x + c t, the damper acts as if the elongation were x
+ * and the start faster by c. So the derivatives by its law are the same, also for an order above 1, where the slope of
+ * the start acts. With stages a sum of such an order has no derivatives by its numbers, but one by a factor. */
+START_TEST(eq_23_29_an_elongation_that_moves_starts_with_a_slope_of_its_own)
+{
+    static const char *const laws[] = { "power:0.4,0.7", "power:0.4,0.7 : caputo", "zener:0.4,0.3,2",
+                                        "viscous:0.3 + power:0.4,0.6" };
+    const fvi_method *const methods[] = { &fvi_fractional, &fvi_cq2_midpoint, &fvi_lobatto_m2,
+                                          &fvi_lobatto_m4, &fvi_lobatto_d2,   &fvi_lobatto_d4 };
+    const fvi_objective J = { .slopes = slopes };
+    for (size_t n = 0; n < LEN(laws) * LEN(methods); n++) {
+        const fvi_method *method = methods[n % LEN(methods)];
+        const char *law = laws[n / LEN(methods)];
+        double by[2][4] = { { 0 } }; /* by a factor, rho, order and time */
+        for (size_t moves = 0; moves < 2; moves++) {
+            char text[80];
+            snprintf(text, sizeof text, "%s : %s", moves ? "x+c*t" : "x", law);
+            const names_problem t = { .name = law,
+                                      .d = 1,
+                                      .dampers = 1,
+                                      .forces = 1,
+                                      .lagrangian = "v^2/2",
+                                      .damper = { text },
+                                      .force = { "1=cos(t)" },
+                                      .x0 = { 0.5 },
+                                      .v0 = { moves ? -0.25 : -0.25 + values[2] } };
+            double *to = by[moves];
+            opened o;
+            open_problem(&t, values, &o);
+            const fvi_sensitivities factor = { .damping = to },
+                                    all = { .damping = to, .terms = to + 1, .orders = to + 2, .times = to + 3 };
+            OK(fvi_adjoint(method, &o.run, NULL, NULL, &J, strchr(law, '+') ? &factor : &all));
+            fvi_typed_mechanism_free(o.typed);
+        }
+        for (size_t i = 0; i < 4; i++) {
+            seen_worst(fabs(by[1][i] - by[0][i]), "slope");
+            ck_assert_near(by[1][i], by[0][i], 1e-13, "%s, %s, %zu", law, method->name, i);
+        }
+        ck_assert(by[0][0] != 0);
+    }
+}
+END_TEST
+
 /* The length of a rod moves the start: NaN; so does a speed at which a coordinate is imposed. Columns that are
  * missing are asked for. */
 START_TEST(a_name_that_moves_the_start_has_none)
@@ -333,6 +376,7 @@ int main(void)
     Suite *suite = suite_create("adjoint, names");
     ADD_LOOP(suite, eq_23_31_names_have_the_derivatives_of_differences, COUNT);
     ADD_CASE(suite, "names", a_factor_of_an_elongation_is_twice_one_of_the_law,
+             eq_23_29_an_elongation_that_moves_starts_with_a_slope_of_its_own,
              eq_23_30_starts_along_a_constraint_by_every_method, a_name_that_moves_the_start_has_none);
     return run_suite(suite);
 }
