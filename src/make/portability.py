@@ -154,7 +154,8 @@ def compiled(name, label, words, env, reference):
     """All tests by another compiler, or with other options."""
     compiler, options = words[0][3:], [w for w in " ".join(words).split() if w.startswith("-fsanitize=")]
     if have(compiler, label) and compiles([compiler, *options], label):
-        build_and_compare(name, label, reference, words, ["test"], **env)
+        goals = ["test", *([] if options else ["test-headers"])]  # the examples leave their memory to the system
+        build_and_compare(name, label, reference, words, goals, **env)
 
 
 def german(reference):
