@@ -127,18 +127,17 @@ static int has_distant_zero(const fvi_pole *Q, double angle)
     return 0;
 }
 
-int fvi_kernel_poles(double m, double c, double rho, const fvi_kernel *law,
-                  size_t most, fvi_pole *pole, size_t *count,
-                     fvi_error *error)
+int fvi_kernel_poles(double m, double c, double rho, const fvi_kernel *law, double widest,
+                     size_t most, fvi_pole *pole, size_t *count, fvi_error *error)
 {
-    static const double edge[] = { 2.95, 2.94, 2.96 };
+    static const double parts[] = { 1, 1.05, 0.95 }; /* of pi - widest, if a zero lies on the side of the box */
     const fvi_pole Q = { .m = m, .c = c, .rho = rho, .law = law };
     if (isnan(phase(&Q, EDGE, 2)) || isnan(phase(&Q, -EDGE, 2)))
         return fvi_fail(error, FVI_EOVRFLW, "law", NAN, "the law is not finite");
     int n = -1;
     fvi_log_box all;
-    for (size_t i = 0; n < 0 && i < sizeof edge / sizeof *edge; i++) {
-        all = (fvi_log_box){ { -EDGE, EDGE }, { 1.5, edge[i] } };
+    for (size_t i = 0; n < 0 && i < sizeof parts / sizeof *parts; i++) {
+        all = (fvi_log_box){ { -EDGE, EDGE }, { 1.5, M_PI - parts[i] * (M_PI - widest) } };
         n = count_zeros(&Q, &all);
     }
     *count = 0;

@@ -7,20 +7,21 @@
 #include <fvi/error.h>
 #include "exact_pole.h"
 
-/* fvi_kernel_poles -- Find the zeros of Q in the sector 1.5 <= arg s <= 2.95.     [(26.11)]
+#define FVI_BEHIND_CONTOURS 2.95 /* arg s */
+
+/* fvi_kernel_poles -- Find the zeros of Q in the sector 1.5 <= arg s <= widest.     [(26.11)]
  *
- * All zeros in the upper half plane have arg s >= pi/2. Those beyond 2.95 lie behind every contour of (11.10) and are
- * not needed. The zeros are counted by the argument principle in rectangles of ln s. The rectangles are cut until
- * Newton's method finds the single zero in each.
+ * All zeros in the upper half plane have arg s >= pi/2. The zeros are counted by the argument principle in rectangles
+ * of ln s. The rectangles are cut until Newton's method finds the single zero in each.
  *
  *   m, c, rho  as for fvi_pole_find     law  has passed fvi_kernel_check
+ *   widest     < pi; FVI_BEHIND_CONTOURS: zeros beyond it lie behind every contour of (11.10) and need no residue
  *   most       room in pole
  *   pole       output, count of them
  *
  * Return FVI_SUCCESS; FVI_EUNSUP if there are more than `most`; FVI_EMAXITER if two zeros agree to twelve digits, or if
  * a zero is not between e^-150 and e^150; FVI_EOVRFLW if Q is not finite. */
-int fvi_kernel_poles(double m, double c, double rho, const fvi_kernel *law,
-                  size_t most, fvi_pole *pole, size_t *count,
-                     fvi_error *error);
+int fvi_kernel_poles(double m, double c, double rho, const fvi_kernel *law, double widest,
+                     size_t most, fvi_pole *pole, size_t *count, fvi_error *error);
 
 #endif

@@ -1,6 +1,7 @@
 /* src/frequency/oscillator_poles.c -- Find the poles of a system with one unknown.    [H 30] */
 #include "oscillator_poles.h"
 #include "exact_law.h"
+#include "pole_search.h"
 
 #include <stdlib.h>
 
@@ -42,7 +43,7 @@ int fvi_oscillator_poles(const fvi_response *r, size_t most, fvi_pole *pole, siz
         if (is_power || law.count == 0)
             *count = (size_t)fvi_pole_find(m, c, is_power ? law.term->rho : 0,
                                            is_power ? 2 * law.term->alpha : 0, pole);
-        else if (fvi_kernel_poles(m, c, factor, &law, most, pole, count, NULL))
+        else if (fvi_kernel_poles(m, c, factor, &law, FVI_NEARLY_REAL, most, pole, count, NULL))
             *count = 0;
     }
     free(term);

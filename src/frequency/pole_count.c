@@ -2,6 +2,7 @@
 #include "pole_count.h"
 
 #include "kernel/kernel_classes.h"
+#include "pole_search.h"
 #include "winding.h"
 
 #include <gsl/gsl_math.h>
@@ -66,10 +67,8 @@ size_t fvi_poles_counted(fvi_response *r, double low, double high)
     for (size_t l = 2; l < r->terms; l++)
         if (has_own_poles(r->term[l].kernel))
             return SIZE_MAX;
-    /* The phases of d pivots may turn together, so the step is short. Known blind spot: two real poles
-     * that are nearly equal lie 0.0016 beside the box, turn the phase by a whole turn within one step,
-     * and may be counted as two poles of the box. */
-    const fvi_log_box all = { { low, high }, { 1.5, 3.14 } };
+    /* The phases of d pivots may turn together, so the step is short. */
+    const fvi_log_box all = { { low, high }, { 1.5, FVI_NEARLY_REAL } };
     const int count = fvi_winding(phase, r, 0.5 / (double)r->d, &all);
     return count < 0 ? SIZE_MAX : (size_t)count;
 }

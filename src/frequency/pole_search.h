@@ -11,6 +11,9 @@ typedef struct {
     double residual, uncancelled;
 } fvi_pole_candidate;
 
+/* A pole with a larger arg s is taken for a real one, and is no oscillation, unless (30.7) says that it is one. */
+#define FVI_NEARLY_REAL 3.14
+
 /* fvi_pole_is_found -- Return nonzero if the candidate is a pole that oscillates, with arg s < widest. */
 int fvi_pole_is_found(const fvi_pole_candidate *p, double widest);
 

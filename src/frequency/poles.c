@@ -14,7 +14,7 @@ enum {
     ALL_ARE_SOUGHT = 64, /* up to this number of unknowns all poles are found, and the lowest are chosen */
     SPARE_MODES = 4,     /* modes beyond those that are asked for */
     MOST_OF_ONE = 8,     /* most poles of one oscillator */
-    FOLDS = 12           /* factors of e below and above the poles found, within which poles are counted */
+    FOLDS = 12           /* factors of e below and above starts and poles, within which poles are counted */
 };
 #define ABOVE 1.1 /* times the highest estimate of those that are asked for */
 
@@ -24,6 +24,7 @@ typedef struct {
     size_t d, n, room, count, wanted;
     int all_are_there; /* nonzero if there are d poles by the theorem */
     double *lambda, *mode;
+    double low, high;  /* of ln |s|: poles are counted beyond these, which starts and poles have extended */
     fvi_pole_candidate *candidate;
     double complex *shapes, *form; /* form: a number for each term of Z */
 } search;
@@ -39,7 +40,8 @@ static int search_alloc(fvi_response *r, size_t count, search *s)
 {
     const size_t d = r->d;
     const int all = d <= ALL_ARE_SOUGHT || d - count < SPARE_MODES;
-    *s = (search){ .response = r, .d = d, .n = all ? d : count + SPARE_MODES, .wanted = count };
+    *s = (search){ .response = r, .d = d, .n = all ? d : count + SPARE_MODES, .wanted = count,
+                    .low = INFINITY, .high = -INFINITY };
     s->room = d == 1 ? MOST_OF_ONE : s->n;
     s->lambda = malloc(s->n * (d + 1) * sizeof *s->lambda);
     s->mode = s->lambda + s->n;
@@ -49,6 +51,14 @@ static int search_alloc(fvi_response *r, size_t count, search *s)
     for (size_t k = 0; s->candidate && k < s->room; k++)
         s->candidate[k].v = s->shapes + k * d;
     return s->lambda && s->candidate && s->shapes ? FVI_SUCCESS : FVI_ENOMEM;
+}
+
+static void extend_range(search *s, double size)
+{
+    if (size > 0) {
+        s->low = smaller(s->low, log(size));
+        s->high = larger(s->high, log(size));
+    }
 }
 
 /* Set candidate k to its undamped mode. */
@@ -61,10 +71,10 @@ static void restart_candidate(search *s, size_t k)
     p->residual = 1;
 }
 
-/* If the theorem does not apply, poles may be real. So a pole with arg s >= 3.14 is then no oscillation. */
+/* If the theorem does not apply, poles may be real. So a pole that is nearly real is then no oscillation. */
 static int is_found(const search *s, size_t k)
 {
-    return fvi_pole_is_found(&s->candidate[k], s->all_are_there ? 4 : 3.14);
+    return fvi_pole_is_found(&s->candidate[k], s->all_are_there ? 4 : FVI_NEARLY_REAL);
 }
 
 /* ---- two at one pole ---- */
@@ -159,7 +169,10 @@ static int search_from_modes(search *s)
     int status = wrong ? FVI_SUCCESS : FVI_ENOMEM;
     for (size_t k = 0; !status && k < s->n; k++) {
         restart_candidate(s, k);
-        if (s->candidate[k].s != 0)
+        const double size = cabs(s->candidate[k].s); /* not sqrt(lambda) if lambda <= 0 */
+        extend_range(s, sqrt(fabs(s->lambda[k])));
+        extend_range(s, size);
+        if (size > 0)
             status = fvi_pole_newton(s->response, &s->candidate[k]);
     }
     while (!status) {
@@ -250,22 +263,15 @@ static void normalise(search *s, double complex *room)
 }
 
 /* Return how many poles there are: by the theorem, by (26.11), or counted. */
-static size_t count_expected(const search *s, int all_of_one)
+static size_t count_expected(search *s, int all_of_one)
 {
     if (s->all_are_there)
         return s->d;
     if (all_of_one)
         return s->count;
-    double low = INFINITY, high = -INFINITY;
-    for (size_t k = 0; k < s->n + s->count; k++) {
-        const double size = k < s->n ? sqrt(fabs(s->lambda[k]))
-                                     : cabs(s->candidate[k - s->n].s);
-        if (size > 0) {
-            low = smaller(low, log(size));
-            high = larger(high, log(size));
-        }
-    }
-    return low <= high ? fvi_poles_counted(s->response, low - FOLDS, high + FOLDS) : 0;
+    for (size_t k = 0; k < s->count; k++)
+        extend_range(s, cabs(s->candidate[k].s));
+    return s->low <= s->high ? fvi_poles_counted(s->response, s->low - FOLDS, s->high + FOLDS) : 0;
 }
 
 static int write_poles(search *s, size_t count, size_t expect, fvi_poles *poles)

@@ -1,6 +1,8 @@
 /* src/frequency/winding.c -- Count how often a function winds around 0.     [H 26, H 30] */
 #include "winding.h"
 
+#include "system/larger.h"
+
 #include <gsl/gsl_math.h>
 #include <math.h>
 
@@ -45,6 +47,14 @@ static double phase_along_side(fvi_phase *phase, const void *params, double step
     return sum;
 }
 
+/* Return the step for a side from a to b. Zeros and poles may lie on the negative axis, v = pi. Two that are nearly
+ * equal turn the phase along v by almost a whole turn, while u changes by some multiples of pi - v. So the step is not
+ * longer than that. */
+static double step_beside_axis(double step, const double a[2], const double b[2])
+{
+    return a[1] == b[1] ? smaller(step, 12 * (M_PI - a[1])) : step;
+}
+
 //> count
 int fvi_winding(fvi_phase *phase, const void *params, double step,
                 const fvi_log_box *b)
@@ -56,7 +66,8 @@ int fvi_winding(fvi_phase *phase, const void *params, double step,
                                   { b->u[0], b->v[0] } };
     double sum = 0;
     for (int i = 0; i < 4 && !isnan(sum); i++)
-        sum += phase_along_side(phase, params, step, corner[i], corner[i + 1]);
+        sum += phase_along_side(phase, params, step_beside_axis(step, corner[i], corner[i + 1]), corner[i],
+                                corner[i + 1]);
     return isnan(sum) ? -1 : (int)lround(sum / (2 * M_PI));
 }
 //< count

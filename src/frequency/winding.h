@@ -13,9 +13,9 @@ typedef double fvi_phase(const void *params, double u, double v);
 /* fvi_winding -- Return how many more zeros than poles the function has in the box, by the argument principle.
  * [(26.11), (30.8)]
  *
- *   step  of ln s, from one evaluation of the function to the next. A step is halved while the function
+ *   step  of ln s, from one evaluation of the function to the next; v < pi. A step is halved while the function
  *         turns by more than half a radian in one of its halves. Within a step it must turn by less than
- *         a whole turn
+ *         a whole turn. Steps in u are at most 12 (pi - v), because of zeros and poles at v = pi
  *
  * Return -1 if the phase does not settle, because a zero or a pole is on a side, or if the box is not finite. */
 int fvi_winding(fvi_phase *phase, const void *params, double step,

@@ -165,9 +165,8 @@ typedef struct {
  * A dashpot or a Maxwell element is allowed beside a power of such an order in the same law. There are d poles as well
  * if all orders of powers and ranges lie between 1 and 2. Both statements suppose positive semidefinite matrices of the
  * dampers; the function does not check the matrices of dampers.h. In all other cases the argument principle counts the
- * poles with arg s < 3.14 for up to 24 unknowns, and (26.11) counts those of one oscillator. The argument principle may
- * count two overdamped modes by mistake if they are nearly equal. It is no error if the function finds fewer poles than
- * exist: compare count with expected.
+ * poles with arg s < 3.14 for up to 24 unknowns. It is no error if the function finds fewer poles than exist: compare
+ * count with expected.
  *
  * Accuracy: seen 1e-15 of |s| for well conditioned Z. Cost: one to four factorisations for each pole, and the undamped
  * modes: O(d^3) up to 256 unknowns or for all modes, else subspace iteration with factors of K.

@@ -91,8 +91,8 @@ static int find_roots(fvi_inverse *S, fvi_error *error)
         }
     if (p->law && p->rho > 0 && active > 0
         && !(active == 1 && last->kind == FVI_KERNEL_POWER))
-        return fvi_kernel_poles(p->m, p->c, p->rho, p->law, FVI_ZEROS, S->root,
-                             &S->roots, error);
+        return fvi_kernel_poles(p->m, p->c, p->rho, p->law, FVI_BEHIND_CONTOURS, FVI_ZEROS, S->root,
+                                &S->roots, error);
     if (p->law) {
         p->rho *= last ? last->rho : 0;
         p->alpha = last ? last->alpha : 0;

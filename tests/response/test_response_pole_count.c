@@ -220,6 +220,96 @@ START_TEST(free_chains_of_unequal_masses_have_one_pole_less_than_masses)
 }
 END_TEST
 
+/* Two free masses of 1 on a springpot between them, with no spring: 2 rho s^b = -s^2 has one solution for b < 1. */
+START_TEST(free_bodies_without_springs_are_counted)
+{
+    linear_system s = { .d = 2, .dampers = 1, .mass = { 1, 1 }, .row = { { -1, 1 } } };
+    s.term[0][0] = (fvi_kernel_term){ FVI_KERNEL_POWER, 3, 0.3, 0, 0 };
+    s.kernel[0].count = 1;
+    point_into(&s);
+    const fvi_linear_motion motion = { .system = &s.system };
+    fvi_response *r = response_of(&motion);
+    fvi_poles p = poles_of(r, 0);
+    ck_assert_uint_eq(p.expected, 1);
+    fvi_poles_free(&p);
+    fvi_response_free(r);
+}
+END_TEST
+
+/* ---- near the negative axis ---- */
+
+/* One body without a spring, with a springpot of order b and a dashpot, so strong that s = e^(3.1 i) is a pole:
+ * s^2 + rho s^b + c s = 0. Its imaginary part gives rho / c. Beside it, with a spring, a power and a Maxwell element in
+ * parallel, which have two poles: one swings, and the other is nearly real. */
+START_TEST(eq_26_11_poles_of_one_body_that_are_nearly_real_are_found)
+{
+    const double b = 0.4, angle = 3.1, rho = sin(angle) / sin((1 - b) * angle);
+    const double c = -(cos(2 * angle) + rho * cos(b * angle)) / cos(angle);
+    linear_system s = { .d = 1, .dampers = 1, .mass = { 1 }, .row = { { 1 } } };
+    s.term[0][0] = (fvi_kernel_term){ FVI_KERNEL_POWER, rho, b / 2, 0, 0 };
+    s.term[0][1] = (fvi_kernel_term){ FVI_KERNEL_POWER, c, 0.5, 0, 0 };
+    s.kernel[0].count = 2;
+    point_into(&s);
+    const fvi_linear_motion motion = { .system = &s.system };
+    fvi_response *r = response_of(&motion);
+    fvi_poles p = poles_of(r, 0);
+    ck_assert_uint_eq(p.count, 1);
+    ck_assert_near(cabs(pole(&p, 0) - cexp(I * angle)), 0, 1e-13, "the pole");
+    fvi_poles_free(&p);
+    fvi_response_free(r);
+    s.K[0] = 2;
+    s.term[0][0] = (fvi_kernel_term){ FVI_KERNEL_POWER, 2, 0.8, 0, 0 };
+    s.term[0][1] = (fvi_kernel_term){ FVI_KERNEL_MAXWELL, 2, 0, 0.6, 0 };
+    ck_assert_poles(&motion, 2);
+}
+END_TEST
+
+/* The symbol of the second damper has a pole at s = -1.255, and det Z has a zero beside it, at the angle 3.1367. The
+ * phase along the side of the box turns by a whole turn in 0.02 of ln s. verify/response/response.py counts four
+ * zeros. */
+START_TEST(eq_30_8_a_zero_beside_the_pole_of_a_damper_is_counted)
+{
+    linear_system s = { .d = 3, .dampers = 3, .mass = { 1, 1, 1 }, .row = { { 1 }, { -1, 1 }, { 0, -1, 1 } } };
+    const double k[] = { 0, 1, 1 };
+    springs(&s, k);
+    s.K[8] += 1.71;
+    s.term[0][0] = (fvi_kernel_term){ FVI_KERNEL_POWER, 0.813, 0.7, 0, 0 };
+    s.term[1][0] = (fvi_kernel_term){ FVI_KERNEL_MAXWELL, 0.0357, 0, 0.797, 0 };
+    s.term[2][0] = (fvi_kernel_term){ FVI_KERNEL_MAXWELL, 0.156, 0, 88.2, 0 };
+    for (size_t j = 0; j < 3; j++)
+        s.kernel[j].count = 1;
+    point_into(&s);
+    const fvi_linear_motion motion = { .system = &s.system };
+    fvi_response *r = response_of(&motion);
+    ck_assert_uint_eq(fvi_poles_counted(r, -13, 13), 4);
+    fvi_response_free(r);
+}
+END_TEST
+
+/* Two masses move freely together, but for a damper of order 1.2 on one of them. Near s = 0 its force is lost beside
+ * that of the spring, but Z(0) is no pole. */
+START_TEST(a_free_motion_with_a_damper_above_order_1_has_no_pole_at_0)
+{
+    linear_system s = { .d = 2, .dampers = 1, .mass = { 1, 1 }, .row = { { 1 } } };
+    const double k[] = { 0, 0.0416 };
+    springs(&s, k);
+    s.term[0][0] = (fvi_kernel_term){ FVI_KERNEL_POWER, 0.688, 0.6, 0, 0 };
+    s.kernel[0].count = 1;
+    point_into(&s);
+    const fvi_linear_motion motion = { .system = &s.system };
+    ck_assert_poles(&motion, 1); /* at s = 1e-261 squares are 0 */
+    s.dampers = 2;
+    s.row[1][0] = -1, s.row[1][1] = 1;
+    s.K[0] = s.K[3] = 1, s.K[1] = s.K[2] = -1;
+    s.term[0][0] = (fvi_kernel_term){ FVI_KERNEL_POWER, 11.1, 0.7, 0, 0 };
+    s.term[1][0] = (fvi_kernel_term){ FVI_KERNEL_POWER, 2.67, 0.5, 0, 0 };
+    s.term[1][1] = (fvi_kernel_term){ FVI_KERNEL_POWER, 0.361, 0.4, 0, 0 };
+    s.kernel[1].count = 2;
+    point_into(&s);
+    ck_assert_poles(&motion, 0); /* at s = 1e-31 the damper's force is less than a rounding error of the spring's */
+}
+END_TEST
+
 /* ---- boxes ---- */
 
 /* The phase of s minus a zero, whose ln is in params. */
@@ -228,6 +318,22 @@ static double phase_of_one_zero(const void *params, double u, double v)
     const double *zero = params;
     return carg(cexp(u + I * v) - cexp(zero[0] + I * zero[1]));
 }
+
+/* The phase of two real zeros, -1.13316 and -1.13318. */
+static double phase_of_two_zeros(const void *params, double u, double v)
+{
+    (void)params;
+    const double complex s = cexp(u + I * v);
+    return carg((s + 1.13316) * (s + 1.13318));
+}
+
+/* Their ln is 0.125, the middle of half a step. */
+START_TEST(eq_30_8_two_zeros_beside_a_box_are_not_counted)
+{
+    const fvi_log_box box = { { -1, 1 }, { 1.5, 3.14 } };
+    ck_assert_int_eq(fvi_winding(phase_of_two_zeros, NULL, 0.5, &box), 0);
+}
+END_TEST
 
 START_TEST(eq_30_8_zeros_are_counted_in_finite_boxes)
 {
@@ -273,8 +379,13 @@ int main(void)
              eq_30_7_springpots_in_series_are_counted_if_their_symbol_has_no_poles);
     ADD_CASE(suite, "fewer", eq_30_8_overdamped_modes_are_not_counted,
              a_free_body_swings_on_its_springpot, a_free_ring_has_two_poles,
-             free_chains_of_unequal_masses_have_one_pole_less_than_masses);
+             free_chains_of_unequal_masses_have_one_pole_less_than_masses,
+             free_bodies_without_springs_are_counted);
+    ADD_CASE(suite, "near the axis", eq_26_11_poles_of_one_body_that_are_nearly_real_are_found,
+             eq_30_8_a_zero_beside_the_pole_of_a_damper_is_counted,
+             a_free_motion_with_a_damper_above_order_1_has_no_pole_at_0);
     ADD_CASE(suite, "boxes", eq_30_8_zeros_are_counted_in_finite_boxes,
+             eq_30_8_two_zeros_beside_a_box_are_not_counted,
              a_phase_of_rounding_errors_is_given_up_soon);
     return run_suite(suite);
 }

@@ -5,6 +5,7 @@
   (30.4)  the residue of Z^-1 at a simple pole is v v^T / v^T Z' v;
   (30.6)  Z^-1 is the sum of its residues and an integral along the cut, to 30 digits;
   (30.7)  on which side of the line each symbol is on the cut, and that poles have Re s <= 0;
+  (30.8)  three masses, of which one zero of det Z lies beside the pole of a damper, have four zeros with arg s < 3.14;
   (30.9)  v^T Z v is stationary at a shape, so an error of v enters s squared;
   and responses, poles and residues of three systems, from determinants in 40 digits.
 
@@ -64,6 +65,33 @@ prove("Davidson's s / (1 + T s)", im((z * (1 + T * z.conjugate())).expand()).exp
 sigma, omega, m, k = symbols("sigma omega m k", real=True)
 z = sigma + I * omega
 prove("no pole with Re s > 0", re((z.conjugate() * (m * z**2 + k)).expand()).expand() - ((m * (sigma**2 + omega**2) + k) * sigma).expand())
+
+
+# ---- (30.8): on each piece ln det Z, and not its phase alone, changes by less than 0.5, so no turn is lost
+
+def beside_the_pole_of_a_damper(s):
+    """Return det Z of a chain x1 - x2 - x3: a power on x1, two Maxwell elements between, a spring of 1.71 on x3."""
+    a, b = (1 + mpf(rho) * s / (1 + mpf(time) * s) for rho, time in (("0.0357", "0.797"), ("0.156", "88.2")))
+    first, last = s * s + a + mpf("0.813") * s**mpf("1.4"), s * s + b + mpf("1.71")
+    return first * (s * s + a + b) * last - first * b * b - last * a * a
+
+
+def turn(f, p, q, at_p, at_q):
+    """Return by how much arg f(exp(u)) changes from u = p to u = q."""
+    change = mpmath.log(at_q / at_p)
+    if abs(q - p) < 0.02 and abs(change) < 0.5:
+        return change.imag
+    middle = (p + q) / 2
+    between = f(mpmath.exp(middle))
+    return turn(f, p, middle, at_p, between) + turn(f, middle, q, between, at_q)
+
+
+with mpmath.workdps(20):
+    corners = [mpc(u, v) for u, v in ((-13, 1.5), (13, 1.5), (13, 3.14), (-13, 3.14), (-13, 1.5))]
+    ends = [beside_the_pole_of_a_damper(mpmath.exp(corner)) for corner in corners]
+    turns = sum(turn(beside_the_pole_of_a_damper, *ends_of_side)
+                for ends_of_side in zip(corners, corners[1:], ends, ends[1:])) / (2 * mpmath.pi)
+    claim("(30.8): there are four zeros", abs(turns - 4) < 1e-12)
 
 
 # ---- systems: (M, K, [(terms, B), ...]); kinds as in damping_laws.h
