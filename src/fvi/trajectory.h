@@ -206,7 +206,8 @@ int fvi_method_takes_history(const fvi_method *method, fvi_history_kind kind);
  *                that is not finite, or with a negative time; a run without a solution (19.2), unless the method has
  *                paper_convention; a run whose end T = steps h is so near to 0 that the memory of fvi_variable_step has
  *                no finite decay rates: below about 1e-287, or far above it if velocities jump and alpha is near 1, for
- *                example at T = 1e-90 for alpha = 0.97 and step_error = 1e-8
+ *                example at T = 1e-90 for alpha = 0.97 and step_error = 1e-8; or no finite weights times decay rates,
+ *                below about 1e-165 for a range of orders that ends at 0.5
  *   FVI_EUNSUP   the method does not take this memory, a law, this law, matrices or a mechanism; the past of a law is
  *                neither HELD nor, for orders up to 1, CAPUTO; impulses at alpha = 1, for a method with stages and a
  *                damped coordinate

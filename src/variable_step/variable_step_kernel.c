@@ -186,12 +186,22 @@ static int add_general(const fvi_variable_step_state *o, const fvi_kernel *law, 
     return status;
 }
 
+/* A rate of a short run, times the density there, may be above the largest double. */
+static int check_modes(const fvi_kernel_modes *l)
+{
+    for (size_t q = 0; q < l->count; q++)
+        if (!isfinite(l->rate[q]) || !isfinite(l->weight[q]))
+            FVI_FAIL("the run is too short: the weights of its memory, times their decay rates, would be above 1.8e308",
+                     FVI_EDOM);
+    return fvi_kernel_modes_check(l);
+}
+
 /* Allocate the modes of one group for `count` numbers; none if the list is empty. */
 static int make_modes(const fvi_variable_step_state *o, int rising, size_t count, fvi_kernel_modes *l,
                       fvi_modes **modes)
 {
     const double standstill = 1e-16 / o->T;
-    const int status = fvi_kernel_modes_check(l);
+    const int status = check_modes(l);
     for (size_t q = 0; q < l->count; q++) {
         l->rate[q] = larger(l->rate[q], standstill);
         l->weight[q] /= rising ? -1 : l->rate[q];

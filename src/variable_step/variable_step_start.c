@@ -202,8 +202,9 @@ int fvi_variable_step_explain_modes(const fvi_stepper *s, const fvi_variable_ste
 {
     return status == FVI_EDOM
                ? fvi_fail(s->error, status, "T", o->T,
-                          "%g is too short: the fastest decay rate of its memory would be above 1.8e308",
-                          o->T)
+                          "%g is too short: the %s would be above 1.8e308", o->T,
+                          isfinite(1e6 / o->least) ? "weights of its memory, times their decay rates,"
+                                                   : "fastest decay rate of its memory")
                : status;
 }
 

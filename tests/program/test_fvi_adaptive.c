@@ -84,6 +84,17 @@ START_TEST(a_time_that_is_too_short_for_a_memory_is_refused_in_words)
 }
 END_TEST
 
+/* For orders up to 1 the weights are like 1e8 / T, and so are the decay rates. Their products are no numbers at T =
+ * 1e-200, where the run had ended with a value that is not finite. */
+START_TEST(a_time_that_is_too_short_for_the_weights_is_refused_in_words)
+{
+    ck_assert_int_eq(fvi("run --method fvi-adaptive --damping distributed:1,0,0.5 --time 1e-140 --steps 2"), 0);
+    ck_assert_int_eq(fvi("run --method fvi-adaptive --damping distributed:1,0,0.5 --time 1e-200 --steps 2"), 2);
+    ck_assert_ptr_eq(strstr(err, "fvi: --time: 1e-200 is too short: the weights of its memory, times their decay "
+                                 "rates, would be above 1.8e308\n"), err);
+}
+END_TEST
+
 /* Two masses on a chain: x and p of each row, whichever of them are columns. */
 START_TEST(each_mass_has_its_momentum)
 {
@@ -360,6 +371,7 @@ int main(void)
     ADD_CASE(suite, "most-steps",
              a_run_that_comes_to_no_end_says_how_far_it_came,
              most_steps_are_for_steps_that_are_chosen);
-    ADD_CASE(suite, "time", a_time_that_is_too_short_for_a_memory_is_refused_in_words);
+    ADD_CASE(suite, "time", a_time_that_is_too_short_for_a_memory_is_refused_in_words,
+             a_time_that_is_too_short_for_the_weights_is_refused_in_words);
     return run_suite_of_program(suite);
 }
