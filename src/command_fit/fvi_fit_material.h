@@ -17,8 +17,8 @@ int fvi_fit_material(int argc, char **argv);
  * or a code of fvi/error.h with the error filled in. */
 int fvi_fit_starts(const char **text, size_t most, size_t *starts, fvi_error *c);
 
-/* fvi_fit_note -- Print a warning about the answer of any fit to standard error and, unless `out` is NULL, to the table.
- * There it is "# kind = text". */
+/* fvi_fit_note -- Print a warning about the answer of any fit to standard error and, unless `out` is NULL, to the
+ * table. There it is "# kind = text". */
 void fvi_fit_note(FILE *out, const char *kind, const char *text);
 
 /* fvi_fit_tell_unwritten -- Print on standard error that the files `output` and `curve` are not written because the

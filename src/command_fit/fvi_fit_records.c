@@ -241,8 +241,8 @@ int fvi_fit_read(request *r, fvi_error *c)
                           r->read->file, r->points, r->fit.parameters);
     for (size_t k = 0; k < count; k++)
         if (r->fit.h > 0 && !(r->fit.h * FVI_FIT_MOST_EQUAL_STEPS >= r->record[k].t[r->record[k].n - 1]))
-            return fvi_refuse(c, "h", "to t = %.10g steps of that length take %.3g equal steps, and a fit makes %d; without "
-                              "--h fvi-adaptive chooses its own",
+            return fvi_refuse(c, "h", "to t = %.10g steps of that length take %.3g equal steps, and a fit makes %d; "
+                              "without --h fvi-adaptive chooses its own",
                               r->record[k].t[r->record[k].n - 1], r->record[k].t[r->record[k].n - 1] / r->fit.h,
                               FVI_FIT_MOST_EQUAL_STEPS);
     const fvi_record *first = r->record;

@@ -81,16 +81,16 @@ int fvi_gradient_find_damper(request *r, fvi_error *c)
     fvi_observer *o = NULL;
     fvi_error error = { 0 };
     if (r->o.method->dense)
-        return fvi_refuse(c, "of", "'%s': %s has no derivatives of the forces of dampers; fvi-lobatto2 to 8d, fvi-stable and "
-                                   "the others whose steps have one length have", text, r->o.method->name);
+        return fvi_refuse(c, "of", "'%s': %s has no derivatives of the forces of dampers; fvi-lobatto2 to 8d, "
+                          "fvi-stable and the others whose steps have one length have", text, r->o.method->name);
     r->of = 3 + which;
     int status = fvi_stepper_start(r->o.method, &r->run, &s, &error);
     if (!status)
         status = fvi_observer_start(s, which == 0 ? FVI_OBSERVE_FORCE : FVI_OBSERVE_IMPULSE, &o, &error);
     int failed = status ? 0 : find_place(r, o, (size_t)(dot - text), dot + strlen(quantities[which]), c);
     if (!status && !failed && fvi_observer_short_rows(o) >= r->o.steps)
-        failed = fvi_refuse(c, "of", "'%s': the forces of the first %zu rows come from steps shorter than those of the run and "
-                                     "have no derivatives; take more --steps, or '%.*s.impulse'", text,
+        failed = fvi_refuse(c, "of", "'%s': the forces of the first %zu rows come from steps shorter than those of the "
+                            "run and have no derivatives; take more --steps, or '%.*s.impulse'", text,
                             fvi_observer_short_rows(o), (int)(dot - text), text);
     fvi_observer_free(o);
     fvi_stepper_free(s);

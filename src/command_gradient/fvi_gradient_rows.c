@@ -115,8 +115,8 @@ static void name_end_of_row(fvi_element kind, size_t l, size_t size, char *end)
         snprintf(end, size, l > 0 ? "_%c" : "", *at);
 }
 
-/* Visit the rows of the parameters of term i of --damping. A spring and a dashpot are stored as a power, so they have A,
- * too. */
+/* Visit the rows of the parameters of term i of --damping. A spring and a dashpot are stored as a power, so they have
+ * A, too. */
 static void rows_of_term(const visitor *v, const request *r, size_t i)
 {
     const fvi_kernel_term *term = r->run.law->term + i;

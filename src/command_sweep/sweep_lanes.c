@@ -231,8 +231,10 @@ int sweep_plan_make(const sweep_grid *g, const fvi_options *o, sweep_plan *plan)
     }
     if (plan->why)
         plan->most = 1;
-    for (size_t i = 0; i < g->runs; i++)
-        runs[i] = (keyed_run){ plan->most > 1 ? key_of(g, g->first + i, o->method->stages > 0, is_observed) : i, g->first + i };
+    for (size_t i = 0; i < g->runs; i++) {
+        const size_t run = g->first + i;
+        runs[i] = (keyed_run){ plan->most > 1 ? key_of(g, run, o->method->stages > 0, is_observed) : i, run };
+    }
     qsort(runs, g->runs, sizeof *runs, compare_keys);
     fill_lanes(g, runs, plan);
     free(runs);

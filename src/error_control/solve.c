@@ -267,8 +267,8 @@ static int fail_of_search(const fvi_solve_state *o, int status)
 {
     if (status == FVI_EDOM && has_no_solution(o))
         return fvi_fail(o->error, status, "past", NAN,
-                        "Riemann-Liouville with a damped x0 != 0 has no solution for alpha > 1/2, to which no run can be near; "
-                        "%s runs as printed with h in the place of an error", o->method->name);
+                        "Riemann-Liouville with a damped x0 != 0 has no solution for alpha > 1/2, to which no run can "
+                        "be near; %s runs as printed with h in the place of an error", o->method->name);
     if (status == FVI_EUNSUP || status == FVI_EDOM) {
         fvi_stepper *s = NULL;
         const int again = fvi_stepper_start(o->method, &o->run, &s, o->error);
@@ -292,11 +292,12 @@ static int fail_of_search(const fvi_solve_state *o, int status)
         snprintf(reached, sizeof reached, "; until t = %.4g it is reached: end there, or allow a larger error",
                  o->report->until);
     if (!isfinite(o->report->error))
-        return fvi_fail(o->error, status, "tolerance", o->tolerance,
-                        "%g is out of reach%s: no step gives a result that can be trusted%s", o->tolerance, limit, reached);
+        return fvi_fail(o->error, status, "tolerance", o->tolerance, "%g is out of reach%s: no step gives a result "
+                        "that can be trusted%s", o->tolerance, limit, reached);
     return fvi_fail(o->error, status, "tolerance", o->tolerance,
-                    "%g is out of reach%s; the smallest estimate was %.2g%s%s%s", o->tolerance, limit, o->report->error, reached,
-                    o->report->other ? "; a higher order has " : "", o->report->other ? o->report->other->name : "");
+                    "%g is out of reach%s; the smallest estimate was %.2g%s%s%s", o->tolerance, limit,
+                    o->report->error, reached, o->report->other ? "; a higher order has " : "",
+                    o->report->other ? o->report->other->name : "");
 }
 
 /* How many rows the search writes, and at which of them row k stands. */

@@ -134,7 +134,8 @@ static int choose_common_steps(fvi_solve_state *o, double T)
     return steps || o->is_between ? FVI_SUCCESS
            : o->method->stages > 0
                ? refuse_time(least, o->out->t[least],
-                             "accelerations, forces and work need times with a common step; fvi-adaptive has them at any",
+                             "accelerations, forces and work need times with a common step; fvi-adaptive has them at "
+                             "any",
                              o->error)
                : refuse_time(least, o->out->t[least],
                              "this method needs times with a common step, because no error is known between its steps; "
@@ -155,15 +156,16 @@ static int given_steps(fvi_solve_state *o, double T, double h)
     o->run.steps = (size_t)steps;
     if (!o->out->t && o->out->rows != o->run.steps + 1)
         return fvi_fail(o->error, FVI_EINVAL, "rows", (double)o->out->rows,
-                        "rows is %zu; without times it must be %zu, one row for each step and one for t = 0", o->out->rows,
-                        o->run.steps + 1);
+                        "rows is %zu; without times it must be %zu, one row for each step and one for t = 0",
+                        o->out->rows, o->run.steps + 1);
     const size_t k =
         o->out->t && !o->method->dense ? first_between(o->out->rows, o->out->t, h) : SIZE_MAX;
     o->is_between = k < o->out->rows && has_path(o);
     return k < o->out->rows && !o->is_between
                ? refuse_time(k, o->out->t[k],
                              o->method->stages > 0
-                                 ? "accelerations, forces and work are known at multiples of h; fvi-adaptive has them at any time"
+                                 ? "accelerations, forces and work are known at multiples of h; fvi-adaptive has them "
+                                    "at any time"
                                  : "this method gives out multiples of h, because no error is known between its steps; "
                                    "fvi-lobatto2d to 8d and fvi-adaptive give out any time",
                              o->error)
@@ -177,7 +179,8 @@ static int choose_grid(fvi_solve_state *o, double T, double h)
         return given_steps(o, T, h);
     int status = FVI_SUCCESS;
     if (!o->out->t && o->out->rows < 2)
-        return fvi_fail(o->error, FVI_EINVAL, "rows", 1, "rows is 1; without times it must be 2 or more, for the times 0 and T");
+        return fvi_fail(o->error, FVI_EINVAL, "rows", 1,
+                        "rows is 1; without times it must be 2 or more, for the times 0 and T");
     o->run.steps = o->out->t ? COMPARED : o->out->rows - 1;
     if (o->out->t && !o->method->dense)
         status = choose_common_steps(o, T);

@@ -136,8 +136,8 @@ void fvi_observer_powers(const fvi_observer *o, double *power)
         size_t coordinate;
         double unit;
         const size_t j = place_among_tracked(o, i, &unit);
-        power[i] = fvi_observer_is_compared(o, j) ? NAN
-                                                  : o->exponent[j] + o->growth[fvi_observer_damper_of(o, i, &coordinate)];
+        const double growth = o->growth[fvi_observer_damper_of(o, i, &coordinate)];
+        power[i] = fvi_observer_is_compared(o, j) ? NAN : o->exponent[j] + growth;
     }
 }
 

@@ -18,8 +18,8 @@ enum {
 
 /* ---- memory ---- */
 
-/* Allocate all arrays in one block, first those that steps change. The sizes are set before. Each of the others, but for
- * the contacts, has room for d numbers and for the tracked sums, because several of them hold both in turn. */
+/* Allocate all arrays in one block, first those that steps change. The sizes are set before. Each of the others, but
+ * for the contacts, has room for d numbers and for the tracked sums, because several of them hold both in turn. */
 static int allocate(fvi_observer *o)
 {
     const size_t d = o->d, f = o->tracked, dampers = o->dampers, room = d > f ? d : f;
@@ -164,7 +164,8 @@ static int set_mean_start(fvi_observer *o, const fvi_stepper *s)
     /* the numbers of a stepper's node are as many as o->start has; an observer gives one number for a damper along a
      * row */
     const double *J = s->method->dense || status ? now.impulse : sums->impulse;
-    const double *first = o->has_massless ? fvi_short_row(&o->short_rows, 1) : NULL, *v = first ? first + o->forces : now.v;
+    const double *first = o->has_massless ? fvi_short_row(&o->short_rows, 1) : NULL;
+    const double *v = first ? first + o->forces : now.v;
     for (size_t j = 0; j < o->forces && !status; j++)
         if (isinf(o->start[j]))
             o->start[j] = J[j] / h;

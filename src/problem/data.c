@@ -209,8 +209,8 @@ static int choose_columns(const names_above *above, const fvi_rows *r, const col
         const choice *line = &above->partial[i];
         const char *astray = line->astray ? w->names[line->astray - 1] : "", *missing = w->names[line->missing];
         if (line->astray && line->words == r->count)
-            return fvi_refuse(r->error, r->field, "%s: a line names a column '%.*s' and no '%.*s', so the first columns "
-                              "are not what is wanted", r->name, (int)strcspn(astray, "|"), astray,
+            return fvi_refuse(r->error, r->field, "%s: a line names a column '%.*s' and no '%.*s', so the first "
+                              "columns are not what is wanted", r->name, (int)strcspn(astray, "|"), astray,
                               (int)strcspn(missing, "|"), missing);
         if (w->must_be_named == FVI_FIRST_NAME_CHECKED && line->words == r->count)
             return check_first_name(above->first[i], r, w, to);

@@ -31,8 +31,8 @@ int fvi_check_start_velocity(const fvi_system *system, const double *x0, const d
         && fvi_velocity_of_momentum(system, 0, x0, p0, moves) == FVI_SUCCESS)
         for (size_t i = 0; i < system->d && !status; i++)
             if (v0[i] != 0 && moves[i] == 0)
-                status = fvi_refuse(error, "v0", "v%zu is %g: this coordinate has no inertia, and its velocity follows from "
-                                    "the forces: give 0", i + 1, v0[i]);
+                status = fvi_refuse(error, "v0", "v%zu is %g: this coordinate has no inertia, and its velocity follows "
+                                    "from the forces: give 0", i + 1, v0[i]);
     free(moves);
     return status;
 }

@@ -122,8 +122,8 @@ static int parse_symbol(const char *text, fvi_user_parameters *parameters,
     damping->law = fvi_kernel_of_function(&damping->function);
     if (fvi_kernel_check(&damping->law) != 0)
         return fvi_fail(error, FVI_EDOM, "damping", NAN,
-                        "'%s' is no law: it must be finite at s = i w, real for s > 0, without a pole off the negative axis, and "
-                        "grow no faster than s^2",
+                        "'%s' is no law: it must be finite at s = i w, real for s > 0, without a pole off the negative "
+                        "axis, and grow no faster than s^2",
                         text);
     return FVI_SUCCESS;
 }

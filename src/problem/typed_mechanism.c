@@ -68,7 +68,8 @@ static int parse_law(fvi_typed_damper *damper, const char *text,
     return status;
 }
 
-/* Check that no damper before number `count` has its name. A damper without a name is called d1, d2, ... by its place. */
+/* Check that no damper before number `count` has its name. A damper without a name is called d1, d2, ... by its
+ * place. */
 static int check_damper_name(const fvi_typed_damper *damper, size_t count, const fvi_typed_damper *others,
                              fvi_error *error)
 {

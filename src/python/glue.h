@@ -225,8 +225,8 @@ static int load_stepper(fvi_stepper *s, const unsigned char *from, size_t size)
     const int status = fvi_stepper_archive(s, &b.archive);
     return status ? status : b.at == size ? 0 : FVI_EINVAL;
 }
-/* x at increasing times: at the ends of steps, but for roundings, as they are, and by their stages between them; and p, if
- * it is not NULL, likewise. */
+/* x at increasing times: at the ends of steps, but for roundings, as they are, and by their stages between them; and p,
+ * if it is not NULL, likewise. */
 static int positions_within(fvi_stepper *s, size_t count, const double *t, double *x, double *p)
 {
     const size_t d = s->run.system->d;

@@ -26,7 +26,8 @@ static int by_parameter(size_t j, size_t d, const double *x, void *params, doubl
     fvi_expression_parameter_gradient(params, j, x, &value, S);
     return 0;
 }
-/* E = v . L_v - L by p, which is v, and by x, which is -L_x, at the time t. room: a guess of v, and 2 d numbers in all. */
+/* E = v . L_v - L by p, which is v, and by x, which is -L_x, at the time t. room: a guess of v, and 2 d numbers in
+ * all. */
 static int slopes_of_energy(const fvi_system *system, double t, const double *x, const double *p, double *room)
 {
     const fvi_lagrangian *L = system->mechanism ? system->mechanism->lagrangian : NULL;
@@ -66,8 +67,8 @@ static int energy_slopes(const fvi_system *system, size_t rows, const double *t,
     return status;
 }
 /* Of a typed Lagrangian: at x and p E falls by what L grows with a parameter; added to `parameters`, n numbers. */
-static int energies_by_lagrangian(const fvi_system *system, size_t rows, const double *t, const double *x, const double *v,
-                                  const double *by, size_t n, double *parameters)
+static int energies_by_lagrangian(const fvi_system *system, size_t rows, const double *t, const double *x,
+                                  const double *v, const double *by, size_t n, double *parameters)
 {
     const size_t d = system->d;
     double *room = calloc(2 * d, sizeof *room), value;

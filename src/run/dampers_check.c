@@ -41,8 +41,8 @@ static int check_damper(const fvi_method *method, const fvi_run *run, size_t j, 
     const int status = damper->kernel ? fvi_kernel_check(damper->kernel) : FVI_EFAULT;
     if (status)
         return fvi_at_index(error, j,
-                            fvi_fail(error, status, "damper", (double)j + 1, "damper %zu: its kernel is no law of damping: %s",
-                                     j + 1, fvi_error_name(status)));
+                            fvi_fail(error, status, "damper", (double)j + 1,
+                                     "damper %zu: its kernel is no law of damping: %s", j + 1, fvi_error_name(status)));
     switch (damper->past) {
     case FVI_INITIAL_HISTORY_HELD:
         return FVI_SUCCESS;

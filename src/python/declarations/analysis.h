@@ -1,5 +1,6 @@
 /* src/python/declarations/analysis.h -- For cffi: responses, fits, exact motions, gradients, control. */
-typedef struct { const fvi_system *system; double alpha; const fvi_kernel *law; const double *at, *along; ...; } fvi_linear_motion;
+typedef struct { const fvi_system *system; double alpha; const fvi_kernel *law; const double *at, *along; ...;
+} fvi_linear_motion;
 typedef struct fvi_response fvi_response;
 typedef enum { FVI_RESPONSE_RECEPTANCE, FVI_RESPONSE_MOBILITY, FVI_RESPONSE_ACCELERANCE, FVI_RESPONSE_GROUND }
     fvi_response_kind;
@@ -15,7 +16,8 @@ int fvi_response_warning_of_poles(const fvi_poles *poles, size_t size, char *tex
 int fvi_kernel_takes_caputo(const fvi_kernel *law);
 int fvi_kernel_moduli(const fvi_kernel *law, double omega, double *storage, double *loss);
 typedef struct {
-    double alpha, kappa, T, damping, lipschitz, gradient, variation, start, speed, acceleration, velocity_variation, room;
+    double alpha, kappa, T, damping, lipschitz, gradient, variation, start, speed, acceleration, velocity_variation,
+           room;
     ...;
 } fvi_smoothness;
 typedef struct { double C, lambda, h; } fvi_error_bound;
@@ -55,7 +57,8 @@ void fvi_expression_free(fvi_expression *e);
 int fvi_parse_free_parameter(const char *field, const char *text, const fvi_free_parameter_names *names,
                              fvi_free_parameter *which, fvi_error *error);
 const char *fvi_free_parameters_of_laws(const fvi_run *run, size_t most, size_t size, char *text);
-enum { FVI_ESTIMATION_MOST = 8, FVI_EDOM = 1, FVI_EINVAL = 4, FVI_ENOMEM = 8, FVI_ERUNAWAY = 10, FVI_EMAXITER = 11, FVI_ETOL = 14, FVI_EOVRFLW = 16, FVI_ESING = 21, FVI_EUNSUP = 23 };
+enum { FVI_ESTIMATION_MOST = 8, FVI_EDOM = 1, FVI_EINVAL = 4, FVI_ENOMEM = 8, FVI_ERUNAWAY = 10, FVI_EMAXITER = 11,
+    FVI_ETOL = 14, FVI_EOVRFLW = 16, FVI_ESING = 21, FVI_EUNSUP = 23 };
 typedef struct {
     const fvi_method *method;
     const fvi_run *run;
@@ -180,19 +183,20 @@ fvi_mechanism_columns fvi_typed_mechanism_columns(const fvi_typed_mechanism *mec
 typedef struct {
     double *x0, *p0, *mass, *damping, *alpha, *terms, *orders, *times, *ends, *force, *parameters;
     fvi_parameter_gradient sensitivity;
-    int (*lagrangian)(size_t j, double t, size_t d, const double *x, const double *v, void *params, double *Sx, double *Sv);
+    int (*lagrangian)(size_t j, double t, size_t d, const double *x, const double *v, void *params, double *Sx,
+                      double *Sv);
     double *names;
     const fvi_mechanism_columns *columns;
     ...;
 } fvi_sensitivities;
-int fvi_typed_lagrangian_column(size_t j, double t, size_t d, const double *x, const double *v, void *params, double *Sx,
-                                double *Sv);
-int fvi_directional_derivatives(const fvi_method *method, const fvi_run *run, size_t count, const fvi_sensitivities *along,
-                                double *x, double *p, double *dx, double *dp);
+int fvi_typed_lagrangian_column(size_t j, double t, size_t d, const double *x, const double *v, void *params,
+                                double *Sx, double *Sv);
+int fvi_directional_derivatives(const fvi_method *method, const fvi_run *run, size_t count,
+                                const fvi_sensitivities *along, double *x, double *p, double *dx, double *dp);
 int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x, const double *p,
                 const fvi_objective *objective, const fvi_sensitivities *gradients);
-int fvi_adjoint_forces(const fvi_method *method, const fvi_run *run, const fvi_objective *objective, const double *force,
-                       const double *impulse, const fvi_sensitivities *gradients);
+int fvi_adjoint_forces(const fvi_method *method, const fvi_run *run, const fvi_objective *objective,
+                       const double *force, const double *impulse, const fvi_sensitivities *gradients);
 double fvi_typed_force_by_parameter(const fvi_typed_force *force, size_t j, double t);
 double fvi_lobatto_abscissa(size_t s, size_t i);
 int positions_within(fvi_stepper *s, size_t count, const double *t, double *x, double *p);

@@ -13,7 +13,8 @@ const fvi_kernel *kernel_of(const fvi_system *system, size_t j);
 int energy_by_parameter(const fvi_typed_potential *potential, size_t d, size_t j, const double *x, double *value);
 typedef struct imposed_places imposed_places;
 imposed_places *imposed_places_alloc(const struct fvi_mechanism *typed, const char *const *names, size_t count);
-int imposed_places_put(imposed_places *o, size_t i, size_t constraint, void *function, size_t n, const double *t, const double *x);
+int imposed_places_put(imposed_places *o, size_t i, size_t constraint, void *function, size_t n, const double *t,
+                       const double *x);
 void imposed_places_at(const imposed_places *o, size_t i, double t, double *u, double *rate);
 const struct fvi_mechanism *imposed_places_mechanism(const imposed_places *o);
 void imposed_places_free(imposed_places *o);
@@ -47,7 +48,8 @@ typedef struct fvi_typed_columns fvi_typed_columns;
 int fvi_typed_columns_start(const fvi_column_source *source, fvi_typed_columns **columns, fvi_error *error);
 void fvi_typed_columns_free(fvi_typed_columns *columns);
 int fvi_parse_columns(const char *text, fvi_user_parameters *parameters, fvi_typed_columns *columns, fvi_error *error);
-int fvi_parse_reductions(const char *text, fvi_user_parameters *parameters, fvi_typed_columns *columns, fvi_error *error);
+int fvi_parse_reductions(const char *text, fvi_user_parameters *parameters, fvi_typed_columns *columns,
+                         fvi_error *error);
 unsigned fvi_typed_columns_wanted(const fvi_typed_columns *columns);
 size_t fvi_typed_columns_count(const fvi_typed_columns *columns);
 const char *fvi_typed_column_name(const fvi_typed_columns *columns, size_t i);
@@ -58,7 +60,8 @@ int table_of_run(fvi_typed_columns *c, fvi_observer *o, fvi_stepper *s, size_t r
                  size_t *done);
 size_t constraints(const fvi_system *system);
 size_t imposed_on(const fvi_system *system, size_t i);
-int rows_of_stepper(fvi_stepper *s, size_t rows, const double *t, double *x, double *p, row_count *count, double seconds);
+int rows_of_stepper(fvi_stepper *s, size_t rows, const double *t, double *x, double *p, row_count *count,
+                    double seconds);
 int save_stepper(fvi_stepper *s, unsigned char *to, size_t room, size_t *size);
 int load_stepper(fvi_stepper *s, const unsigned char *from, size_t size);
 int accelerations_of_ground(const fvi_ground *ground, size_t rows, const double *t, double *ag);

@@ -1,4 +1,4 @@
-/* src/python/declarations/problem.h -- For cffi: problems as they are typed: potentials, forces, grounds, mechanisms, structures, columns. */
+/* src/python/declarations/problem.h -- For cffi: potentials, forces, mechanisms, structures and columns as typed. */
 typedef struct { size_t count; double value[64]; unsigned char used[64]; ...; } fvi_user_parameters;
 size_t fvi_formulas_write(size_t size, char *text);
 #define FVI_USED_BY_FORCE ...
@@ -9,7 +9,8 @@ int fvi_user_parameters_are_used(const fvi_user_parameters *parameters, fvi_erro
 typedef enum { FVI_POTENTIAL_HARMONIC, FVI_POTENTIAL_DUFFING, FVI_POTENTIAL_PENDULUM, FVI_POTENTIAL_CHAIN,
                FVI_POTENTIAL_EXPRESSION, ... } fvi_potential_kind;
 typedef struct fvi_expression fvi_expression;
-typedef struct { fvi_potential_kind kind; size_t d; double constants[2]; fvi_expression *expression; } fvi_typed_potential;
+typedef struct { fvi_potential_kind kind; size_t d; double constants[2]; fvi_expression *expression;
+} fvi_typed_potential;
 int fvi_parse_potential(const char *text, size_t d, fvi_user_parameters *parameters, fvi_typed_potential *potential,
                         fvi_error *error);
 fvi_potential fvi_potential_typed(const fvi_typed_potential *potential);
@@ -33,8 +34,10 @@ void fvi_ground_free(fvi_ground *ground);
 int fvi_parse_force(const char *text, size_t d, fvi_user_parameters *parameters, double last, fvi_typed_force **force,
                     fvi_error *error);
 fvi_force fvi_force_typed(const fvi_typed_force *force);
-int fvi_check_start_force(const fvi_method *method, const char *field, const char *text, const fvi_typed_force *force, fvi_error *error);
-int fvi_check_start_velocity(const fvi_system *system, const double *x0, const double *v0, const double *p0, fvi_error *error);
+int fvi_check_start_force(const fvi_method *method, const char *field, const char *text, const fvi_typed_force *force,
+                          fvi_error *error);
+int fvi_check_start_velocity(const fvi_system *system, const double *x0, const double *v0, const double *p0,
+                             fvi_error *error);
 void fvi_typed_force_free(fvi_typed_force *force);
 typedef struct {
     const char *lagrangian;
@@ -47,8 +50,8 @@ int fvi_parse_mechanism(const fvi_mechanism_texts *texts, size_t d, fvi_user_par
                         fvi_typed_mechanism **mechanism, fvi_error *error);
 const struct fvi_mechanism *fvi_mechanism_typed(const fvi_typed_mechanism *mechanism);
 void fvi_typed_mechanism_free(fvi_typed_mechanism *mechanism);
-int fvi_parse_events(size_t count, const char *const *texts, size_t d, const double *mass, fvi_user_parameters *parameters,
-                     fvi_typed_events **events, fvi_error *error);
+int fvi_parse_events(size_t count, const char *const *texts, size_t d, const double *mass,
+                     fvi_user_parameters *parameters, fvi_typed_events **events, fvi_error *error);
 void fvi_typed_events_of(fvi_typed_events *events, const struct fvi_mechanism *mechanism);
 const fvi_event *fvi_events_typed(const fvi_typed_events *events, size_t *count);
 const char *fvi_typed_event_name(const fvi_typed_events *events, size_t i);

@@ -30,7 +30,8 @@ typedef struct {
     const struct fvi_mechanism *mechanism;
     ...;
 } fvi_system;
-typedef enum { FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_CAPUTO, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, ... } fvi_initial_history;
+typedef enum { FVI_INITIAL_HISTORY_HELD, FVI_INITIAL_HISTORY_CAPUTO, FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE,
+               ... } fvi_initial_history;
 typedef enum { FVI_HISTORY_AUTO, FVI_HISTORY_DIRECT, FVI_HISTORY_MODES, ... } fvi_history_kind;
 typedef enum { FVI_KERNEL_POWER, FVI_KERNEL_MAXWELL2, FVI_KERNEL_SYMBOL, ... } fvi_kernel_kind;
 typedef struct { fvi_kernel_kind kind; double rho, alpha, time, end; } fvi_kernel_term;
@@ -135,8 +136,8 @@ enum { FVI_WARNING_ROOM = 400 };
 int fvi_warning_of_initial_history(const fvi_run *run, const char **text);
 int fvi_warning_of_step(const fvi_method *method, const fvi_run *run, size_t size, char *text);
 int fvi_warning_of_memory(const fvi_method *method, const fvi_run *run, size_t size, char *text);
-int fvi_warning_of_inertia_in_rows(const fvi_system *system, size_t rows, const double *t, const double *x, const double *p,
-                                   size_t size, char *text);
+int fvi_warning_of_inertia_in_rows(const fvi_system *system, size_t rows, const double *t, const double *x,
+                                   const double *p, size_t size, char *text);
 typedef struct { double stiffest; size_t next; } fvi_watch;
 fvi_watch fvi_watch_begin(const fvi_method *method, const fvi_run *run, int is_unstable);
 int fvi_warning_along(fvi_watch *watch, const fvi_method *method, const fvi_run *run, size_t k,
