@@ -318,6 +318,8 @@ int fvi_command_fit(int argc, char **argv)
     if (!status)
         status = is_plan ? planned_times(&r, c) : read_data(&r, c);
     if (!status)
+        status = fvi_fit_check_outputs(&r, c);
+    if (!status)
         status = check_start(&r, c);
     status = status                                 ? fvi_refused(&error, fit.name)
              : fvi_run_warn_of_memory(&r.o, &r.run) ? 1

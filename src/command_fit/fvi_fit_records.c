@@ -98,8 +98,8 @@ int fvi_fit_sigma(request *r, fvi_error *c)
     const size_t count = r->columns ? r->columns : 1;
     if (!r->words.own[SIGMA])
         return 0;
-    const int status = fvi_parse_numbers("sigma", r->words.own[SIGMA], 0, INFINITY, "()", count,
-                                         r->sigma, c);
+    const int status = fvi_read_numbers("sigma", r->words.own[SIGMA], 0, INFINITY, "()", count,
+                                        r->sigma, c);
     r->fit.sigma = r->sigma[0];
     return status;
 }
@@ -138,12 +138,12 @@ static int read_start(const request *r, struct fvi_fit_record *o, fvi_record *to
     if (!o->start)
         return fvi_no_memory(c, NULL);
     if (o->x0_text) {
-        status = fvi_parse_numbers("DATA: x0", o->x0_text, -INFINITY, INFINITY, "()", d, o->start, c);
+        status = fvi_read_numbers("DATA: x0", o->x0_text, -INFINITY, INFINITY, "()", d, o->start, c);
         to->x0 = o->start;
     }
     if (!status && o->p0_text) {
-        status = fvi_parse_numbers("DATA: p0", o->p0_text, -INFINITY, INFINITY, "()", d,
-                                   o->start + d, c);
+        status = fvi_read_numbers("DATA: p0", o->p0_text, -INFINITY, INFINITY, "()", d,
+                                  o->start + d, c);
         to->p0 = o->start + d;
     }
     return status;
@@ -194,6 +194,12 @@ static int read_columns(const request *r, struct fvi_fit_record *o, fvi_record *
     return status;
 }
 
+int fvi_fit_check_outputs(const request *r, fvi_error *c)
+{
+    const int status = fvi_check_output("-o", r->o.output, c);
+    return status ? status : fvi_check_output("--curve", r->words.own[CURVE], c);
+}
+
 static int read_record(request *r, size_t k, fvi_error *c)
 {
     struct fvi_fit_record *o = r->read + k;
@@ -202,9 +208,7 @@ static int read_record(request *r, size_t k, fvi_error *c)
     if (!status)
         fvi_mark_read("DATA", o->file);
     if (!status)
-        status = fvi_check_output("-o", r->o.output, c);
-    if (!status)
-        status = fvi_check_output("--curve", r->words.own[CURVE], c);
+        status = fvi_fit_check_outputs(r, c);
     if (!status)
         status = read_columns(r, o, to, c);
     if (status)

@@ -15,6 +15,9 @@ int fvi_fit_sigma(fvi_fit_request *r, fvi_error *c);
 /* Read the operands DATA, each with its own start and force: 'DATA : x0=... : p0=... : force=...'. */
 int fvi_fit_read(fvi_fit_request *r, fvi_error *c);
 
+/* Refuse an output that would replace a file that has been read. */
+int fvi_fit_check_outputs(const fvi_fit_request *r, fvi_error *c);
+
 /* Write the option "--time=T", or "--steps=N" if --h is given, so that forces are read up to the last time T of DATA.
  * For this purpose the data are read before the other options. Nothing is written if no force and no ground is named.
  * Data that are no ordinary file are skipped, because they can be read only once. */

@@ -58,13 +58,11 @@ static int interpret_along(request *r, fvi_error *c)
         return 0;
     if (r->of != FVI_RESPONSE_GROUND)
         return fvi_refuse(c, "along", "without --of ground nothing moves along it");
-    if (*text == '@')
-        fvi_mark_read("along", text + 1);
     r->linear.along = malloc(d * sizeof(double));
     if (!r->linear.along)
         return fvi_no_memory(c, NULL);
-    return fvi_parse_numbers("along", text, -INFINITY, INFINITY, "()", d,
-                             r->linear.along, c);
+    return fvi_read_numbers("along", text, -INFINITY, INFINITY, "()", d,
+                            r->linear.along, c);
 }
 
 /* Refuse options that do not concern a law, because --of moduli asks for nothing else. */
@@ -252,6 +250,10 @@ int fvi_command_response(int argc, char **argv)
                                               &error);
     if (!status)
         status = interpret(&r, &error);
+    if (!status)
+        status = fvi_check_output("-o", r.linear.o.output, &error);
+    if (!status)
+        status = fvi_check_output("--plot", r.linear.o.plot, &error);
     status = status ? fvi_refused(&error, response.name) : compute_answer(&r);
     free(r.range.list);
     fvi_linear_free(&r.linear);

@@ -46,6 +46,15 @@ int fvi_parse_numbers(const char *field, const char *text, double low,
                       double high, const char *brackets, size_t d,
                       double *values, fvi_error *error);
 
+/* fvi_count_numbers -- Count the numbers of a text for fvi_parse_numbers: the items between commas, or the numbers of
+ * "@file". An item is counted even if it is no number.
+ *
+ *   count  output, at least 1
+ *
+ * Returns FVI_SUCCESS; FVI_EFAULT if text or count is NULL; FVI_EINVAL for a file that cannot be read, or that has
+ * anything but numbers, or none; FVI_ENOMEM. */
+int fvi_count_numbers(const char *field, const char *text, size_t *count, fvi_error *error);
+
 /* fvi_parse_word -- Find the text among `words`, an array that ends with NULL. Its place, from 0, goes to *which. */
 int fvi_parse_word(const char *field, const char *text,
                    const char *const *words, size_t *which, fvi_error *error);

@@ -1,6 +1,7 @@
 /* src/input/fvi_files.c -- Find out which file a name stands for, and which files were read. */
 #define _GNU_SOURCE /* for PATH_MAX */
 #include "fvi_files.h"
+#include <fvi/parse_words.h>
 
 #include <limits.h>
 #include <stdio.h>
@@ -64,6 +65,14 @@ void fvi_mark_read(const char *option, const char *name)
     inputs[marks % KEPT].device = file.st_dev;
     inputs[marks % KEPT].number = file.st_ino;
     marks++;
+}
+
+int fvi_read_numbers(const char *field, const char *text, double low, double high, const char *brackets, size_t d,
+                     double *values, fvi_error *c)
+{
+    if (*text == '@')
+        fvi_mark_read(strncmp(field, "DATA", 4) == 0 ? "DATA" : field, text + 1);
+    return fvi_parse_numbers(field, text, low, high, brackets, d, values, c);
 }
 
 size_t fvi_marked_files(void)

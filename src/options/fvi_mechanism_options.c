@@ -1,6 +1,7 @@
 /* src/options/fvi_mechanism_options.c -- Read Lagrangians, dampers, constraints and events from the command line. */
 #include "fvi_mechanism_options.h"
 #include "fvi_problem.h"
+#include "input/fvi_files.h"
 
 #include <fvi/observer.h>
 #include <fvi/variable_steps.h>
@@ -259,8 +260,8 @@ int fvi_problem_velocity(fvi_options *o, fvi_error *c)
     double *v = malloc(o->d * sizeof *v);
     if (!v)
         return fvi_no_memory(c, NULL);
-    int status = fvi_parse_numbers("v0", o->text[V0], -INFINITY, INFINITY, "()",
-                                   o->d, v, c);
+    int status = fvi_read_numbers("v0", o->text[V0], -INFINITY, INFINITY, "()",
+                                  o->d, v, c);
     const fvi_system system = fvi_options_system(o);
     if (!status)
         status = fvi_momentum_of_velocity(&system, 0, o->x0, v, o->p0);

@@ -43,12 +43,10 @@ int fvi_problem_lists(fvi_options *o, fvi_error *c)
         const char *text = o->text[lists[i].option];
         if (!text && lists[i].option == RHO && (o->text[LAGRANGIAN] || o->text[DAMPER]))
             text = "0";
-        if (text && *text == '@')
-            fvi_mark_read(fvi_option_list[lists[i].option].name, text + 1);
-        status = fvi_parse_numbers(fvi_option_list[lists[i].option].name,
-                                   text ? text : "1", /* rho has no text with a law, nor mass with a Lagrangian */
-                                   lists[i].low, INFINITY, lists[i].brackets,
-                                   o->d, lists[i].values, c);
+        status = fvi_read_numbers(fvi_option_list[lists[i].option].name,
+                                  text ? text : "1", /* rho has no text with a law, nor mass with a Lagrangian */
+                                  lists[i].low, INFINITY, lists[i].brackets,
+                                  o->d, lists[i].values, c);
     }
     return status;
 }
@@ -171,11 +169,9 @@ int fvi_problem_ground(fvi_options *o, fvi_error *c)
     if (!r)
         return fvi_no_memory(c, NULL);
     const char *along = o->text[ALONG] ? o->text[ALONG] : "1";
-    if (*along == '@')
-        fvi_mark_read("along", along + 1);
     const fvi_system system = fvi_options_system(o);
-    int status = fvi_parse_numbers("along", along, -INFINITY, INFINITY, "()",
-                                   o->d, r, c);
+    int status = fvi_read_numbers("along", along, -INFINITY, INFINITY, "()",
+                                  o->d, r, c);
     if (!status)
         status = fvi_parse_ground(o->text[GROUND], &system, r, &o->lets,
                                   (double)o->steps * o->h, &o->ground, c);

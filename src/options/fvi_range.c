@@ -1,6 +1,7 @@
 /* src/options/fvi_range.c -- Read lists of numbers, and compute evenly spaced numbers in the digits that a user would
  * type. */
 #include "fvi_range.h"
+#include "input/fvi_files.h"
 
 #include <float.h>
 #include <math.h>
@@ -46,14 +47,14 @@ double fvi_range_value(const fvi_range *a, size_t i)
     return nearest_decimal(v, (4 + 2 * fabs(log(root))) * DBL_EPSILON * fabs(v));
 }
 
-/* Read "V1,V2,..." */
+/* Read "V1,V2,...", or "@file" with these numbers. */
 static int read_list(const char *field, const char *list, double low, fvi_range *a, fvi_error *c)
 {
-    a->count = 1;
-    for (const char *at = list; *at; at++)
-        a->count += *at == ',';
+    const int status = fvi_count_numbers(field, list, &a->count, c);
+    if (status)
+        return status;
     a->list = malloc(a->count * sizeof *a->list);
-    return a->list ? fvi_parse_numbers(field, list, low, INFINITY, "()", a->count, a->list, c)
+    return a->list ? fvi_read_numbers(field, list, low, INFINITY, "()", a->count, a->list, c)
                    : fvi_no_memory(c, NULL);
 }
 

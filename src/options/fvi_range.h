@@ -16,8 +16,8 @@ typedef struct {
     double *list;
 } fvi_range;
 
-/* fvi_word_range -- Read "A:B:N[:log]" or "V1,V2,..." from `range`. Free the list with free, also after an error.
- * Return 0, or a code of fvi/error.h with the error filled in.
+/* fvi_word_range -- Read "A:B:N[:log]", "V1,V2,..." or "@file" from `range`. Free the list with free, also after an
+ * error. Return 0, or a code of fvi/error.h with the error filled in.
  *
  *   field  name of the option
  *   shape  what the whole text of the option should be, for the complaint

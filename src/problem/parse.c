@@ -121,6 +121,20 @@ int fvi_parse_numbers(const char *field, const char *text, double low,
     return FVI_SUCCESS;
 }
 
+int fvi_count_numbers(const char *field, const char *text, size_t *count, fvi_error *error)
+{
+    if (!text || !count)
+        return fvi_fail(error, FVI_EFAULT, field, NAN, "null pointer");
+    *count = 1;
+    if (*text == '@') {
+        const int status = fvi_data_numbers(field, text + 1, 0, NULL, count, error);
+        return status || *count ? status : fvi_refuse(error, field, "'%s' has no numbers", text);
+    }
+    for (; *text; text++)
+        *count += *text == ',';
+    return FVI_SUCCESS;
+}
+
 int fvi_scan_call(const char *text, const char *word, int count, double *p)
 {
     size_t length = strlen(word);

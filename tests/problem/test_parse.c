@@ -63,6 +63,10 @@ START_TEST(an_error_says_field_value_index_and_text)
     fvi_parse_numbers("x0", "1,-2,3", 0, INFINITY, "[)", 3, x0, &error);
     expect(FVI_EDOM, "x0", "'-2' is outside [0, inf)");
     ck_assert(error.value == -2 && error.index == 1);
+    ck_assert(fvi_count_numbers("x0", "1,-2,", &which, &error) == FVI_SUCCESS && which == 3);
+    ck_assert_int_eq(fvi_count_numbers("x0", "@/dev/null", &which, &error), FVI_EINVAL);
+    expect(FVI_EINVAL, "x0", "'@/dev/null' has no numbers");
+    ck_assert_int_eq(fvi_count_numbers("x0", NULL, &which, &error), FVI_EFAULT);
     fvi_parse_damping("zener:1,0.3,2 + power:1,1.5", NULL, &damping,
                       &error);
     expect(FVI_EDOM, "damping",

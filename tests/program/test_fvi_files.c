@@ -235,7 +235,7 @@ START_TEST(no_output_takes_the_place_of_what_is_read)
               "printf '0 0\\n9 1\\n' > F; ln F F.svg;"
               "printf '%%%%MatrixMarket matrix coordinate real symmetric"
               "\\n1 1 1\\n1 1 2\\n' | tee plate/K.mtx > plate/M.mtx;"
-              "cp -r plate kept; cp start F kept"),
+              "cp -r plate kept; cp start F kept; cp start start.svg; seq 9 | sed 's/$/ 1/' > many"),
         0);
     ck_assert_refused("run --force 'sin(t) + file:F' --steps 9 -o ./F",
                       "fvi: -o: './F' is the file of --force, too");
@@ -256,6 +256,26 @@ START_TEST(no_output_takes_the_place_of_what_is_read)
                       "fvi: -o: 'start' is the file of --x0, too");
     ck_assert_refused("fit F --curve ./F",
                       "fvi: --curve: './F' is the file of the data, too");
+    ck_assert_refused("run --v0 @start --checkpoint start",
+                      "fvi: --checkpoint: 'start' is the file of --v0, too");
+    ck_assert_refused("gradient --v0 @start --forces start",
+                      "fvi: --forces: 'start' is the file of --v0, too");
+    ck_assert_refused("sweep --vary rho=@start -o start",
+                      "fvi: -o: 'start' is the file of --vary, too");
+    ck_assert_refused("response --omega @start -o start",
+                      "fvi: -o: 'start' is the file of --omega, too");
+    ck_assert_refused("response --omega @start.svg --plot start.svg",
+                      "fvi: --plot: 'start.svg' is the file of --omega, too");
+    ck_assert_refused("response --of ground --along @start --omega 1 -o start",
+                      "fvi: -o: 'start' is the file of --along, too");
+    ck_assert_refused("fit kept/F --fit rho --sigma @start -o start",
+                      "fvi: -o: 'start' is the file of --sigma, too");
+    ck_assert_refused("fit --design --fit rho --sigma @start -o start",
+                      "fvi: -o: 'start' is the file of --sigma, too");
+    ck_assert_refused("fit 'many : x0=@start' --fit rho --curve start",
+                      "fvi: --curve: 'start' is the file of the data, too");
+    ck_assert_refused("fit 'many : force=file:F' --fit rho -o F",
+                      "fvi: -o: 'F' is the file of --force, too");
     ck_assert_int_eq(shell("cmp F kept/F && cmp start kept/start &&"
                            "cmp plate/K.mtx kept/K.mtx"),
                      0);

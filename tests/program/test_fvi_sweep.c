@@ -160,6 +160,23 @@ START_TEST(a_list_of_values_is_varied_as_it_stands)
 }
 END_TEST
 
+START_TEST(values_of_a_file_are_varied)
+{
+    static const double rho[] = { 0.3, 2, 0.1 };
+    ck_assert_int_eq(shell("printf '# rho\\n0.3 2\\n0.1\\n' > values; : > blank; printf '1,x' > bad"), 0);
+    ck_assert_int_eq(fvi("sweep --vary rho=@values --columns x --steps 3"), 0);
+    ck_assert_uint_eq(count_rows(), 3);
+    for (size_t k = 0; k < 3; k++)
+        ck_assert(cell(k, 0) == rho[k]);
+    ck_assert_ptr_nonnull(strstr(out, "# vary = rho=@values\n"));
+    ck_assert_int_eq(fvi("response --omega @values --format csv"), 0);
+    ck_assert(strstr(out, "\n0.3,") && strstr(out, "\n2,") && strstr(out, "\n0.1,"));
+    ck_assert_refused("sweep --vary rho=@blank", "fvi: --vary: '@blank' has no numbers");
+    ck_assert_refused("sweep --vary rho=@bad", "fvi: --vary: bad:1:3: not a finite decimal number");
+    ck_assert_refused("sweep --vary rho=@void", "fvi: --vary: cannot read 'void': No such file or directory");
+}
+END_TEST
+
 /* --rows: each run's table, behind its values; y mirrors its own run, whatever its length. */
 START_TEST(all_rows_of_each_run_may_be_printed)
 {
@@ -359,6 +376,7 @@ int main(void)
              a_part_may_have_no_rows, neither_jobs_nor_parts_change_a_row);
     ADD_CASE(suite, "errors", no_process_outlives_the_sweep,
              a_list_of_values_is_varied_as_it_stands,
+             values_of_a_file_are_varied,
              all_rows_of_each_run_may_be_printed,
              sections_diagrams_and_spectra_are_one_command,
              bad_sweeps_are_refused, a_run_that_fails_is_named,
