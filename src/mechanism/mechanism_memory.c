@@ -2,6 +2,7 @@
 #include "mechanism_state.h"
 #include "memory/history_kinds.h"
 #include "memory/history_parts.h"
+#include "run/run_damper.h"
 #include "run/solution.h"
 #include "system/fail.h"
 
@@ -193,6 +194,7 @@ int fvi_mechanism_begin_histories(fvi_stepper *s, const double *v,
         if (!o->part[i].last)
             return FVI_ENOMEM;
         status = (o->rule ? begin_stages : begin_nodes)(s, &o->part[i]);
+        status = fvi_run_damper_name_refused(&s->run, o->part[i].damper, status, error);
     }
     return status;
 }

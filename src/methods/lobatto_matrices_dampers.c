@@ -76,6 +76,8 @@ int fvi_stage_dampers_start(fvi_stepper *s, const double *v)
         fvi_stage_damper *a = o->each + o->dampers++;
         *a = (fvi_stage_damper){ .of = of, .number = j, .r = of.matrix.history_size };
         status = start_damper(s, v, a);
+        if (s->run.system->mechanism)
+            status = fvi_run_damper_name_refused(&s->run, j, status, s->error);
     }
     return status;
 }

@@ -2,6 +2,7 @@
 #include "run_damper.h"
 
 #include "kernel/kernel_terms.h"
+#include "system/fail.h"
 
 #include <math.h>
 
@@ -101,6 +102,16 @@ int fvi_run_damper_history(const fvi_run_damper *damper, const fvi_run *run, fvi
                                   run->tolerance, first, memory);
     return (by_order ? fvi_history_alloc_by_order : fvi_history_alloc)(
         2 * damper->alpha, d, run->steps, run->memory, run->tolerance, memory);
+}
+
+int fvi_run_damper_name_refused(const fvi_run *run, size_t j, int status, fvi_error *error)
+{
+    const char *reason = run->memory == FVI_HISTORY_MODES
+                             ? "its law is no sum of exponentials with this step; the memory auto sums it all"
+                             : "the tail of its law is no sum of decaying modes; fvi and fvi-stable take it";
+    return status != FVI_EUNSUP ? status
+                                : fvi_at_index(error, j, fvi_fail(error, status, "damper", (double)j + 1,
+                                                                  "damper %zu: %s", j + 1, reason));
 }
 
 double fvi_run_damper_bytes_order(const fvi_run_damper *damper)

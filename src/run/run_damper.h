@@ -55,6 +55,11 @@ double fvi_run_damper_symbol(const fvi_run_damper *damper, double s);
 int fvi_run_damper_history(const fvi_run_damper *damper, const fvi_run *run, fvi_delta kind,
                            int by_order, size_t d, double *first, fvi_history **memory);
 
+/* fvi_run_damper_name_refused -- what a history of damper j of a system with a mechanism returned, as it is. If that is
+ * FVI_EUNSUP, the law has no modes for its memory, and the error says so and names the damper. Stages need modes
+ * whatever the memory is. */
+int fvi_run_damper_name_refused(const fvi_run *run, size_t j, int status, fvi_error *error);
+
 /* fvi_run_damper_bytes_order -- an order whose history takes as many bytes as the history of the damper. For a law it
  * is 1/2, because all orders between 0 and 1 take the same. */
 double fvi_run_damper_bytes_order(const fvi_run_damper *damper);

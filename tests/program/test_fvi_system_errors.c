@@ -169,6 +169,9 @@ START_TEST(dampers_of_a_folder_that_are_none_are_refused)
                       "exponentials --steps 300",
                       "fvi: --memory: 'exponentials': of --damper 'C.mtx : "
                       "davidson:1,0.49,1' there are none with this step; 'auto' sums it all");
+    ck_assert_refused("run --system chain --damper 'C.mtx : symbol:0.4*s^0.6/(1+2*s)' --method fvi-lobatto3d",
+                      "fvi: --damper: damper 1: the tail of its law is no sum of decaying modes; fvi and fvi-stable "
+                      "take it");
     write_file("chain/C.mtx", HEAD "3 3 1\n2 2 -1\n");
     ck_assert_refused("run --system chain --damper 'C.mtx : viscous:1'",
                       "fvi: --system: chain/C.mtx:3: not positive semidefinite: it would feed "
