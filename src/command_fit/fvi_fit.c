@@ -138,6 +138,13 @@ static void choose_steps(request *r)
     r->o.text[METHOD] = best->name;
 }
 
+/* Check --force as fvi_check_force_of_fit does. */
+static int check_force(const request *r, fvi_error *c)
+{
+    const fvi_options *o = &r->o;
+    return fvi_check_force_of_fit(&r->fit, "force", o->text[FORCE], o->force, c);
+}
+
 /* Return nonzero if a record of the data has its own start. */
 static int has_own_start(const request *r)
 {
@@ -321,6 +328,8 @@ int fvi_command_fit(int argc, char **argv)
         status = fvi_fit_check_outputs(&r, c);
     if (!status)
         status = check_start(&r, c);
+    if (!status)
+        status = check_force(&r, c);
     status = status                                 ? fvi_refused(&error, fit.name)
              : fvi_run_warn_of_memory(&r.o, &r.run) ? 1
              : is_plan                              ? print_plan(&r, &command)

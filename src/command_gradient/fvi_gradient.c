@@ -8,6 +8,7 @@
 #include "fvi_gradient_forces.h"
 #include "fvi_gradient_choice.h"
 #include "command_shared/fvi_run_warn.h"
+#include "options/fvi_checks.h"
 #include "output/fvi_complain.h"
 #include "output/fvi_output.h"
 #include "output/fvi_table.h"
@@ -322,6 +323,8 @@ int fvi_command_gradient(int argc, char **argv)
     int status = fvi_subcommand_options_parse(&gradient, argc, argv, &r.words, &r.o, c);
     if (!status)
         status = interpret(&r, c);
+    if (!status)
+        status = fvi_check_forces(&r.o, r.o.steps, c);
     status = status ? fvi_refused(&error, gradient.name) : compute_answer(&r);
     fvi_options_free(&r.o);
     return status;

@@ -32,10 +32,12 @@ void fvi_gradient_note_reasons(int on)
 
 /* Repeat the run without derivatives. If it overflows or a step cannot be solved, there is no last row to
  * differentiate. The energy of the last row may also overflow; it is checked for a potential only. *reached is the step
- * that failed, or 0 if the run did not start. Return FVI_SUCCESS or the code of the failure. */
-static int repeat_run(fvi_gradient_request *r, size_t *reached)
+ * that failed, or 0 if the run did not start. *failure may describe the failure. Return FVI_SUCCESS or the code of the
+ * failure. */
+static int repeat_run(fvi_gradient_request *r, size_t *reached, fvi_error *failure)
 {
     fvi_stepper *s;
+    r->run.failure = failure;
     int failed = fvi_stepper_start(r->o.method, &r->run, &s, NULL);
     *reached = 0;
     if (failed)
@@ -53,11 +55,12 @@ static int repeat_run(fvi_gradient_request *r, size_t *reached)
 int fvi_gradient_complain(fvi_gradient_request *r, int status)
 {
     size_t step;
+    fvi_error failure = { 0 };
     if (status == FVI_ENOMEM)
         return fvi_complain("not enough memory");
-    const int failed = repeat_run(r, &step);
+    const int failed = repeat_run(r, &step, &failure);
     if (failed && step > 0)
-        return fvi_stopped_at(step, failed);
+        return failed == failure.code ? fvi_stopped_by(step, &failure) : fvi_stopped_at(step, failed);
     if (failed) {
         fvi_error error;
         fvi_reason_of_start(&r->o, &r->run, failed, &error);

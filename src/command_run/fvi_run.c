@@ -57,6 +57,8 @@ static int check_step_and_inertia(run_checks *checks, const fvi_stepper *s)
 static int print_stop(const fvi_options *o, const fvi_stepper *s, int status)
 {
     fvi_step_statistics counts;
+    if (status == s->run.failure->code)
+        return fvi_stopped_by(s->k + 1, s->run.failure);
     if (status != FVI_ERUNAWAY || fvi_stepper_statistics(s, &counts))
         return fvi_stopped_at(s->k + 1, status);
     fvi_progress_clear();
@@ -280,12 +282,13 @@ static int print_table_of_run(fvi_table *t, const fvi_run *r, fvi_stepper *s,
 
 int fvi_command_run(const fvi_options *o, const fvi_system *system)
 {
-    const fvi_run r = fvi_options_run(o, system);
+    fvi_run r = fvi_options_run(o, system);
     fvi_table t;
     fvi_checkpoint c = { .head = NULL };
     fvi_stepper *s = NULL;
-    fvi_error error = { 0 };
+    fvi_error error = { 0 }, failure = { 0 };
     int failed, status;
+    r.failure = &failure;
     fvi_table_shape(&t, o, system);
     t.rows = fvi_run_room(&t);
     status = t.rows ? fvi_stepper_start(o->method, &r, &s, &error)

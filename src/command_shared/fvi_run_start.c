@@ -47,20 +47,26 @@ void fvi_reason_of_start(const fvi_options *o, const fvi_run *r, int status, fvi
 {
     fvi_stepper *s = NULL;
     fvi_observer *observer = NULL;
+    fvi_run run = *r;
+    run.failure = error;
     *error = (fvi_error){ 0 };
-    int again = fvi_stepper_start(o->method, r, &s, error);
+    int again = fvi_stepper_start(o->method, &run, &s, error);
     if (!again && fvi_options_needs_stepper(o))
         again = fvi_observer_start(s, fvi_typed_columns_wanted(o->typed), &observer, error);
+    while (!again && status == FVI_EBADFUNC && s->k < r->steps)
+        again = fvi_stepper_step(s);
     fvi_observer_free(observer);
     fvi_stepper_free(s);
     if (again != status)
         fvi_fail(error, status, NULL, NAN, "%s", fvi_error_name(status));
+    else if (status == FVI_EBADFUNC)
+        error->field = NULL; /* a step has failed, and no option is refused */
     name_option(o, error);
 }
 
 /* The parser has checked the ranges. So without a field the codes have few causes. FVI_EINVAL: there are too many steps
  * for a compressed memory. FVI_EDOM: m / h is not finite. FVI_EUNSUP: fvi-adaptive does not take the start, or the
- * stages do not take the law. */
+ * stages do not take the law. The text of FVI_EBADFUNC says what is not finite. */
 const char *fvi_reason_of_code(const fvi_options *o, const fvi_error *error)
 {
     static char of_law[sizeof error->text + 16];
@@ -80,8 +86,9 @@ const char *fvi_reason_of_code(const fvi_options *o, const fvi_error *error)
            : status == FVI_EUNSUP
                ? "no step is short enough for a velocity that jumps: alpha is too "
                  "near to 1"
-           : status == FVI_EDOM ? "--h: mass / h is not a finite number"
-                                : fvi_code_in_words(status);
+           : status == FVI_EDOM     ? "--h: mass / h is not a finite number"
+           : status == FVI_EBADFUNC ? error->text
+                                    : fvi_code_in_words(status);
 }
 
 int fvi_complain_of_start(const fvi_options *o, const fvi_error *error, const char *command)

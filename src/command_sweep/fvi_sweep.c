@@ -9,6 +9,7 @@
 #include "sweep_lanes.h"
 #include "output/fvi_output.h"
 #include "output/fvi_table.h"
+#include "options/fvi_checks.h"
 #include "options/fvi_options.h"
 #include <fvi/format_double.h>
 
@@ -199,8 +200,8 @@ static void print_head(FILE *out, const sweep_grid *g, const fvi_options *o,
     fvi_table_column_names(out, o, at);
 }
 
-/* Find out why a run did not start. Its process returned no text, so the run is started again here. The text is empty
- * if nothing more is known. */
+/* Find out why a run did not start, or which force is not finite. Its process returned no text, so the run is started
+ * again here. The text is empty if nothing more is known. */
 static void reason_of_start(const sweep_grid *g, size_t i, int status, size_t size, char *text)
 {
     fvi_options o;
@@ -213,7 +214,7 @@ static void reason_of_start(const sweep_grid *g, size_t i, int status, size_t si
     fvi_reason_of_start(&o, &r, status, &error);
     if (error.field)
         snprintf(text, size, "--%s: %s", error.field, error.text);
-    else if (status == FVI_EUNSUP)
+    else if (status == FVI_EUNSUP || status == FVI_EBADFUNC)
         snprintf(text, size, "%s", fvi_reason_of_code(&o, &error));
     fvi_options_free(&o);
 }
@@ -222,7 +223,7 @@ static void reason_of_start(const sweep_grid *g, size_t i, int status, size_t si
 static int complain_of(const sweep_grid *g, size_t i, sweep_verdict v)
 {
     char reason[sizeof((fvi_error *)0)->text + 32] = "";
-    if (v.step == 0)
+    if (v.step == 0 || v.status == FVI_EBADFUNC)
         reason_of_start(g, i, v.status, sizeof reason, reason);
     fputs("fvi: with ", stderr);
     print_varied_values(stderr, g, i);
@@ -284,6 +285,8 @@ static int check_all(const sweep_grid *g, const char **no_solution,
         first[i + 1] = first[i] + sweep_run_rows(g, &o);
         if (g->has_rows && fvi_reductions_count(o.typed) > 0)
             status = fvi_refuse(c, "rows", "not together with --reduce");
+        else
+            status = fvi_check_forces(&o, o.steps, c);
         fvi_options_free(&o);
     }
     return status;

@@ -27,15 +27,13 @@ static double time_of_row(const fvi_solve_state *o, size_t k)
 }
 
 /* Write row k to the outputs, with its energy, and call the caller's `row`. */
-static int write_row(const fvi_solve_state *o, size_t k, const double *x,
-                     const double *p)
+static int write_row(const fvi_solve_state *o, size_t k, const double *x, const double *p)
 {
     const fvi_outputs *out = o->out;
     const size_t d = o->run.system->d;
     int status = FVI_SUCCESS;
     if (out->energy)
-        status = fvi_energy_at(o->run.system, time_of_row(o, k), x, p,
-                               out->energy + k);
+        status = fvi_energy_at(o->run.system, time_of_row(o, k), x, p, out->energy + k);
     if (status)
         return status;
     if (out->x && out->x + k * d != x)
@@ -49,8 +47,8 @@ static int write_row(const fvi_solve_state *o, size_t k, const double *x,
 /* Report the error of a step that failed. */
 static int fail_at_step(const fvi_solve_state *o, size_t step, int status)
 {
-    return fvi_at_index(o->error, step,
-                        fvi_fail(o->error, status, NULL, NAN, "step %zu: %s", step, fvi_error_name(status)));
+    const char *why = status == o->failure.code ? o->failure.text : fvi_error_name(status);
+    return fvi_at_index(o->error, step, fvi_fail(o->error, status, NULL, NAN, "step %zu: %s", step, why));
 }
 
 static void report_of_mesh(fvi_report *report, const fvi_step_statistics *counts)
@@ -190,9 +188,7 @@ static int observe_run(fvi_solve_state *o, fvi_stepper *s)
     double *room = malloc(2 * o->run.system->d * sizeof *room);
     if (!room)
         return fvi_no_memory(o->error, NULL);
-    int status = o->out->observed ? fvi_observer_start(s, o->out->wanted,
-                                                       &observer, o->error)
-                                  : FVI_SUCCESS;
+    int status = o->out->observed ? fvi_observer_start(s, o->out->wanted, &observer, o->error) : FVI_SUCCESS;
     if (!status)
         status = rows_of_run(o, s, observer, room);
     fvi_observer_free(observer);
@@ -279,6 +275,9 @@ static int fail_of_search(const fvi_solve_state *o, int status)
     if (o->method->dense && fvi_search_is_too_long(status))
         return fvi_fail(o->error, status, NULL, NAN, "%s; no run comes further than t = %.6g", fvi_error_name(status),
                         o->report->until);
+    if (status == o->failure.code)
+        return fvi_at_index(o->error, o->failure.index, fvi_fail(o->error, status, o->failure.field, o->failure.value,
+                                                                 "%s", o->failure.text));
     if (status != FVI_ETOL)
         return fvi_fail(o->error, status, NULL, NAN, "%s", fvi_error_name(status));
     if (!isfinite(o->report->error) && o->report->events_differ)
@@ -391,6 +390,7 @@ int fvi_solve(const fvi_problem *problem, const fvi_solve_options *options,
     if (status)
         return status;
     done.method = o.method;
+    o.run.failure = &o.failure;
     status = o.tolerance > 0 ? solve_to_tolerance(&o) : fvi_solve_by_steps(&o);
     done.events = o.events.count;
     fvi_event_list_free(&o.events);

@@ -15,6 +15,7 @@ typedef struct {
     size_t most_steps;
     fvi_report *report;
     fvi_error *error;
+    fvi_error failure; /* why a step failed, if code is not 0: the runs have it as their `failure` */
     fvi_variable_step_found found; /* the result of a search by fvi-adaptive */
     fvi_event_list events;         /* of the run whose rows are given out */
     size_t reported;               /* so many of these events have been reported to the caller */

@@ -158,7 +158,24 @@ static void add_equal_steps(const fvi_estimation *fit, size_t size, char *text)
                  fvi_estimation_last_time(fit), needed, FVI_FIT_MOST_EQUAL_STEPS);
 }
 
-/* Say that no start gives a motion, and why the run with the given values does not start. */
+/* Make the motion with the given values, and say why a step fails, if a function is not finite. Return its code. */
+static int explain_motion(const fvi_estimation *fit, fvi_error *error)
+{
+    fvi_estimation_model m;
+    double *motion = calloc(fvi_estimation_rows(fit), sizeof *motion);
+    int status = motion ? fvi_estimation_model_init(&m, fit, motion) : FVI_ENOMEM;
+    m.run.failure = error;
+    if (!status) {
+        fvi_estimation_model_set_step(&m, fvi_estimation_first_step(fit));
+        status = fvi_estimation_model_run(&m);
+    }
+    if (motion)
+        fvi_estimation_model_clear(&m);
+    free(motion);
+    return status == error->code ? status : FVI_SUCCESS;
+}
+
+/* Say that no start gives a motion, and why the run with the given values does not start or ends. */
 static void write_why_no_start_moves(const fvi_estimation *fit, size_t size, char *text)
 {
     fvi_run run = *fit->run;
@@ -166,8 +183,10 @@ static void write_why_no_start_moves(const fvi_estimation *fit, size_t size, cha
     fvi_error error = { 0 };
     run.steps = 1;
     run.h = fvi_estimation_last_time(fit);
-    const int status = fvi_stepper_start(fit->method, &run, &s, &error);
+    int status = fvi_stepper_start(fit->method, &run, &s, &error);
     fvi_stepper_free(s);
+    if (!status)
+        status = explain_motion(fit, &error);
     snprintf(text, size, "no start gives a motion that can be computed%s%s", status && *error.text ? ": " : "",
              status ? error.text : "");
 }

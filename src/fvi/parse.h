@@ -66,8 +66,7 @@ typedef struct {
  *   potential   output
  *
  * For an error in an expression, error->index is the number of the byte, from 0. */
-int fvi_parse_potential(const char *text, size_t d,
-                        fvi_user_parameters *parameters,
+int fvi_parse_potential(const char *text, size_t d, fvi_user_parameters *parameters,
                         fvi_typed_potential *potential, fvi_error *error);
 
 /* fvi_potential_typed -- Return the potential for use in a system. It points into *potential, so that struct must
@@ -202,11 +201,10 @@ typedef struct fvi_ground fvi_ground;
  * fvi_ground_typed -- Return a_g as a typed force, with its files and jumps; NULL if it was not typed.
  * fvi_ground_load_vector -- Return M r, d numbers.
  * fvi_ground_free -- Free the ground. NULL is allowed. The outputs of these functions belong to the ground. */
-int fvi_parse_ground(const char *text, const fvi_system *system,
-                     const double *r, fvi_user_parameters *parameters,
+int fvi_parse_ground(const char *text, const fvi_system *system, const double *r, fvi_user_parameters *parameters,
                      double last, fvi_ground **ground, fvi_error *error);
-int fvi_ground_alloc(const fvi_force *acceleration, const fvi_system *system,
-                     const double *r, fvi_ground **ground, fvi_error *error);
+int fvi_ground_alloc(const fvi_force *acceleration, const fvi_system *system, const double *r, fvi_ground **ground,
+                     fvi_error *error);
 fvi_force fvi_ground_force(const fvi_ground *ground);
 const fvi_force *fvi_ground_acceleration(const fvi_ground *ground);
 const fvi_typed_force *fvi_ground_typed(const fvi_ground *ground);
@@ -258,10 +256,8 @@ typedef struct fvi_typed_mechanism fvi_typed_mechanism;
  *               parameters
  *   mechanism   output; free it with fvi_typed_mechanism_free
  *
- * The fields of the error are the words of the program: "lagrangian", "damper", "constraint", "impose",
- * "force-on". */
-int fvi_parse_mechanism(const fvi_mechanism_texts *texts, size_t d,
-                        fvi_user_parameters *parameters,
+ * The fields of the error are the words of the program: "lagrangian", "damper", "constraint", "impose", "force-on". */
+int fvi_parse_mechanism(const fvi_mechanism_texts *texts, size_t d, fvi_user_parameters *parameters,
                         fvi_typed_mechanism **mechanism, fvi_error *error);
 
 /* fvi_damper_texts -- Write the dampings of coordinates as texts of dampers, for example "x1 : power:0.4,0.3 : held"
@@ -272,9 +268,8 @@ int fvi_parse_mechanism(const fvi_mechanism_texts *texts, size_t d,
  *   past           the word of a past; NULL: held
  *   count, list    outputs: the number of texts, and the texts in one block; free it with free(*list). After
  *                  FVI_ENOMEM they are 0 and NULL */
-int fvi_damper_texts(size_t d, const double *rho, double alpha, const char *law,
-                     const char *past, size_t *count, char ***list,
-                     fvi_error *error);
+int fvi_damper_texts(size_t d, const double *rho, double alpha, const char *law, const char *past, size_t *count,
+                     char ***list, fvi_error *error);
 
 /* fvi_mechanism_typed -- Return the mechanism for use in a system. It belongs to the typed mechanism. */
 const fvi_mechanism *fvi_mechanism_typed(const fvi_typed_mechanism *mechanism);
@@ -323,9 +318,8 @@ typedef struct fvi_typed_events fvi_typed_events;
  * events. A mechanism that is NULL, or has no Lagrangian, changes nothing. NULL events are allowed.
  * fvi_events_typed -- Return the events for a run, and their number in *count. They belong to the typed events.
  * fvi_typed_event_name -- Return Z of event i, from 0, as it was typed. The text belongs to the typed events. */
-int fvi_parse_events(size_t count, const char *const *texts, size_t d,
-                     const double *mass, fvi_user_parameters *parameters,
-                     fvi_typed_events **events, fvi_error *error);
+int fvi_parse_events(size_t count, const char *const *texts, size_t d, const double *mass,
+                     fvi_user_parameters *parameters, fvi_typed_events **events, fvi_error *error);
 void fvi_typed_events_of(fvi_typed_events *events, const fvi_mechanism *mechanism);
 const fvi_event *fvi_events_typed(const fvi_typed_events *events, size_t *count);
 const char *fvi_typed_event_name(const fvi_typed_events *events, size_t i);
@@ -375,7 +369,8 @@ const fvi_problem *fvi_problem_typed(const fvi_typed_problem *problem);
 /* fvi_typed_problem_free -- Free the problem. NULL is allowed. */
 void fvi_typed_problem_free(fvi_typed_problem *problem);
 
-/* fvi_check_start_force -- Check that a typed force is not infinite at t = 0, for a method that evaluates it just after
+/* fvi_check_force -- Check that a typed force is finite at all times at which a run with steps of length h asks for it.
+ * fvi_check_start_force -- Check that a typed force is not infinite at t = 0, for a method that evaluates it just after
  * t = 0: its value there would be huge, and so would be the motion. Algorithm 3 and the classical methods take every
  * force, because they take t = 0 itself, or no force in the first row. [(13.12)]
  *
@@ -385,7 +380,12 @@ void fvi_typed_problem_free(fvi_typed_problem *problem);
  *
  *     status = fvi_check_start_force(&fvi_cq_bdf2, "force", "1/sqrt(t)", force, &error); // FVI_EINVAL
  *
- * Cost: one value of the force. Returns FVI_SUCCESS; FVI_EINVAL if the force is infinite at t = 0. */
+ * fvi_check_force first calls fvi_check_start_force. A method that takes the limits of a force at nodes takes
+ * sin(t-1)/(t-1), but no force that is infinite at a node. For a method that chooses its steps, and for steps = 0, only
+ * t = 0 is checked. Cost: some bounds of the force; in the worst case its values in all steps.
+ * Returns FVI_SUCCESS; FVI_EINVAL, and then the text names the time, and the value is that of the force. */
+int fvi_check_force(const fvi_method *method, double h, size_t steps, const char *field, const char *text,
+                    const fvi_typed_force *force, fvi_error *error);
 int fvi_check_start_force(const fvi_method *method, const char *field, const char *text,
                           const fvi_typed_force *force, fvi_error *error);
 

@@ -52,6 +52,8 @@ typedef struct fvi_event fvi_event; /* events.h */
  *            run. Then alpha is not read, and the body was held before t = 0
  *   events, event_count  for fvi_variable_step: the events to watch for (events.h), which must outlive the run, and
  *            their number; NULL and 0: none
+ *   failure  NULL; or a place, which must outlive the run, where a step that fails with FVI_EBADFUNC says which number
+ *            is not finite, and when. Its field is "force", "force_on", "damper", "constraint" or "lagrangian"
  *
  * A member that an initialiser leaves out is zero. So start with fvi_run_default, which sets the members that must not
  * be zero by accident. The methods are in the table fvi_methods (methods.h). Runs with different steppers may go on in
@@ -72,6 +74,7 @@ typedef struct {
     const fvi_kernel *law;
     const fvi_event *events;
     size_t event_count;
+    fvi_error *failure;
 } fvi_run;
 
 /* fvi_run_default -- Return a run with kappa = 1/2, alpha = 1/2, a body that was held at x0, and FVI_HISTORY_AUTO. The
@@ -116,7 +119,7 @@ typedef struct {
     fvi_run run;
     const fvi_method *method;
     int is_busy; /* nonzero while a function works on it that may call callbacks */
-    fvi_error *error; /* while a method starts: the place where it describes what it refuses */
+    fvi_error *error; /* the place where a method describes why its start or a step failed; or NULL */
     int has_failed; /* nonzero after a step that failed: x, p and the history may belong to no step */
 } fvi_stepper;
 
@@ -237,6 +240,7 @@ int fvi_stepper_start(const fvi_method *method, const fvi_run *run,
  *
  *   FVI_EMAXITER, FVI_ESING  the equation of the step could not be solved
  *   FVI_EOVRFLW   a value is no longer finite
+ *   FVI_EBADFUNC  the force, an elongation, a constraint or the Lagrangian is not finite at a time of the step
  *   FVI_ERUNAWAY  after most_steps
  *   any number    what the force, the potential or the interrupter (error.h) returned
  *
@@ -245,8 +249,8 @@ int fvi_stepper_start(const fvi_method *method, const fvi_run *run,
  * so after its number s is unchanged. */
 int fvi_stepper_step(fvi_stepper *s);
 
-/* fvi_force_value -- For use in methods: write F(t) to s->F. Without a force s->F stays zero. Returns FVI_SUCCESS, or
- * what the force returned. */
+/* fvi_force_value -- For use in methods: write F(t) to s->F. Without a force s->F stays zero. Returns FVI_SUCCESS;
+ * FVI_EBADFUNC if F(t) is not finite, with the reason in s->run.failure; or what the force returned. */
 int fvi_force_value(fvi_stepper *s, double t);
 
 /* fvi_stepper_advance_to -- Make all steps up to a time, and copy x and p at this time.

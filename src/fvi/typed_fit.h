@@ -2,6 +2,8 @@
 #ifndef FVI_TYPED_FIT_H
 #define FVI_TYPED_FIT_H
 
+#include "identification.h"
+#include "parse.h"
 #include "parse_words.h"
 #include "records.h"
 
@@ -73,6 +75,17 @@ int fvi_parse_free_parameter(const char *field, const char *text,
  *
  * Returns text; or the constant text "alpha,rho" if there are no such numbers. */
 const char *fvi_free_parameters_of_laws(const fvi_run *run, size_t most, size_t size, char *text);
+
+/* fvi_check_force_of_fit -- Check a typed force as fvi_check_force does (parse.h), for the steps of a fit: in steps of
+ * fit->h, or of the shortest time between two rows, if a whole number of these ends at the last row. The steps of a fit
+ * are as long, or parts of such steps.
+ *
+ *   fit    the question, with its rows; its method is checked, and its run is not
+ *   field, text, force  as fvi_check_force
+ *
+ * Returns as fvi_check_force. */
+int fvi_check_force_of_fit(const fvi_estimation *fit, const char *field, const char *text,
+                           const fvi_typed_force *force, fvi_error *error);
 
 #pragma GCC visibility pop
 #ifdef __cplusplus

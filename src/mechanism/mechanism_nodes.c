@@ -118,11 +118,15 @@ static int end_first_order(fvi_stepper *s)
     int status = fvi_mechanism_force(s, t, o->load);
     if (!status && force) {
         status = force->at(t, d, s->x, o->V, force->params, o->room, NULL, NULL);
+        if (!status)
+            status = fvi_mechanism_finite_forces(s, t, o->room);
         for (size_t i = 0; i < d; i++)
             o->load[i] += o->room[i];
     }
     if (!status)
         status = fvi_mechanism_elongations(s, t, s->x, o->z, o->G);
+    if (!status)
+        status = fvi_mechanism_finite_elongations(s, t, o->z);
     for (size_t j = 0; j < o->r; j++)
         o->zdot[j] = o->z[j] - o->z0[j];
     if (!status)

@@ -58,3 +58,60 @@ int fvi_mechanism_force(fvi_stepper *s, double t, double *F)
     memcpy(F, s->F, s->run.system->d * sizeof *F);
     return status;
 }
+
+/* ---- why a step failed ---- */
+
+int fvi_mechanism_finite_forces(const fvi_stepper *s, double t, const double *F)
+{
+    return fvi_check_finite(s, "force_on", "the force", " on coordinate ", t, s->run.system->d, F);
+}
+
+int fvi_mechanism_finite_elongations(const fvi_stepper *s, double t, const double *z)
+{
+    return fvi_check_finite(s, "damper", "the elongation", " of damper ", t, s->run.system->mechanism->damper_count, z);
+}
+
+/* Check the slopes of L and the forces of velocity at the beginning of the step, for the time t. */
+static int check_forces(fvi_stepper *s, double t)
+{
+    const fvi_mechanism_state *o = s->mechanism;
+    const fvi_state_force *force = s->run.system->mechanism->force_on;
+    const size_t d = o->d;
+    int status = fvi_lagrangian_point(s->run.system, t, s->x, o->v, NULL, o->f, o->Lv, NULL, NULL, NULL);
+    if (!status)
+        status = fvi_check_finite(s, "lagrangian", "the slope of the Lagrangian", " by coordinate ", t, d, o->f);
+    if (!status && force)
+        status = force->at(t, d, s->x, o->v, force->params, o->room, NULL, NULL);
+    if (!status && force)
+        status = fvi_mechanism_finite_forces(s, t, o->room);
+    return status;
+}
+
+/* Check the elongations and the constraints there. */
+static int check_places(const fvi_stepper *s, double t)
+{
+    const fvi_mechanism_state *o = s->mechanism;
+    int status = fvi_mechanism_elongations(s, t, s->x, o->elongation, o->gradient);
+    if (!status)
+        status = fvi_mechanism_finite_elongations(s, t, o->elongation);
+    if (!status && o->m)
+        status = fvi_mechanism_tie_values(s, t, s->x, o->room);
+    if (!status && o->m)
+        status = fvi_check_finite(s, "constraint", "the constraint", " number ", t, o->m, o->room);
+    return status;
+}
+
+int fvi_mechanism_explain(fvi_stepper *s, int status)
+{
+    const fvi_mechanism_state *o = s->mechanism;
+    const double h = s->run.h, ahead = o->form == FVI_MECHANISM_NODES ? 0.5 : 1 - s->run.kappa;
+    if (status != FVI_EMAXITER && status != FVI_ESING && status != FVI_EOVRFLW)
+        return status;
+    for (size_t i = 0; i < (o->rule ? o->s : 2); i++) {
+        const double end = o->rule ? fvi_mechanism_stage_time(s, i) : (double)(s->k + 1) * h,
+                     inner = o->rule ? fvi_mechanism_inner_time(s, i) : (double)s->k * h + ahead * h;
+        if (check_forces(s, inner) == FVI_EBADFUNC || check_places(s, end) == FVI_EBADFUNC)
+            return FVI_EBADFUNC;
+    }
+    return status;
+}

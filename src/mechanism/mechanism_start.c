@@ -50,6 +50,18 @@ static int allocate(fvi_mechanism_state *o)
     return FVI_SUCCESS;
 }
 
+static int step_stages(fvi_stepper *s)
+{
+    const int status = fvi_mechanism_step_stages(s);
+    return status ? fvi_mechanism_explain(s, status) : status;
+}
+
+static int step_nodes(fvi_stepper *s)
+{
+    const int status = fvi_mechanism_step_nodes(s);
+    return status ? fvi_mechanism_explain(s, status) : status;
+}
+
 /* Give the stepper a copy of its method with these steps. A mesh has its own steps. */
 static void switch_method(fvi_stepper *s, fvi_mechanism_form form)
 {
@@ -57,9 +69,7 @@ static void switch_method(fvi_stepper *s, fvi_mechanism_form form)
     if (o->is_on_mesh)
         return;
     o->method = *s->method;
-    o->method.step = form == FVI_MECHANISM_FORM_M || form == FVI_MECHANISM_FORM_D
-                         ? fvi_mechanism_step_stages
-                         : fvi_mechanism_step_nodes;
+    o->method.step = form == FVI_MECHANISM_FORM_M || form == FVI_MECHANISM_FORM_D ? step_stages : step_nodes;
     o->method.copy = fvi_mechanism_copy;
     o->method.serialize = fvi_mechanism_serialize;
     o->method.stop = stop;

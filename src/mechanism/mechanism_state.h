@@ -10,6 +10,7 @@
 #include "mechanism.h"
 #include <fvi/events.h>
 #include "kernel/kernel_impulses.h"
+#include "run/step_force.h"
 #include "stages/lobatto_history.h"
 
 /* The history of a damper. */
@@ -104,6 +105,17 @@ int fvi_mechanism_elongations(const fvi_stepper *s, double t, const double *x,
 /* fvi_mechanism_force -- Write the force F(t) to F, d numbers; zeros if there is none. Return FVI_SUCCESS, or the code
  * of the force. */
 int fvi_mechanism_force(fvi_stepper *s, double t, double *F);
+
+/* fvi_mechanism_finite_forces, fvi_mechanism_finite_elongations -- Check that the d forces of velocity F, or the r
+ * elongations z, are finite, as fvi_check_finite does. */
+int fvi_mechanism_finite_forces(const fvi_stepper *s, double t, const double *F);
+int fvi_mechanism_finite_elongations(const fvi_stepper *s, double t, const double *z);
+
+/* fvi_mechanism_explain -- Find out whether a step failed because a function of the system is not finite at a time of
+ * the step: at the place and with the velocity at which the step began, the Lagrangian, the forces of velocity, the
+ * elongations and the constraints must be finite. status is the code of the step. Return FVI_EBADFUNC with a
+ * description in s->error, or else status. */
+int fvi_mechanism_explain(fvi_stepper *s, int status);
 
 /* ---- mechanism_memory.c ---- */
 

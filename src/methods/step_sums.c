@@ -10,16 +10,6 @@
 
 #include <string.h>
 
-int fvi_step_force(const fvi_stepper *s, double t, double *F)
-{
-    const fvi_force *force = &s->run.system->force;
-    const size_t d = s->run.system->d;
-    if (force->value)
-        return force->value(t, d, force->params, F);
-    memset(F, 0, d * sizeof *F);
-    return FVI_SUCCESS;
-}
-
 static int is_of_order_1(const fvi_method *m)
 {
     return m->scheme == FVI_SCHEME_CLASSICAL || m->scheme == FVI_SCHEME_FVI;
@@ -169,10 +159,7 @@ int fvi_step_forces_at_stages(const fvi_stepper *s, size_t k, size_t stages,
         return FVI_SUCCESS;
     }
     for (size_t i = 0; i < stages && !status; i++)
-        status = fvi_step_force(s,
-                                fvi_inner_time(left, right, h, left + rule->c[i] * h, i,
-                                               stages),
-                                F + i * d);
+        status = fvi_finite_step_force(s, fvi_inner_time(left, right, h, left + rule->c[i] * h, i, stages), F + i * d);
     return status;
 }
 

@@ -4,6 +4,7 @@
 #ifndef FVI_STEP_SUMS_H
 #define FVI_STEP_SUMS_H
 
+#include "run/step_force.h"
 #include "stages/lobatto_weights.h"
 
 #include <fvi/trajectory.h>
@@ -25,12 +26,8 @@ typedef struct {
     double by_force;
 } fvi_step_sums;
 
-/* fvi_step_force -- Write F(t) to F, d numbers; zeros if there is no force. Return FVI_SUCCESS, or
- * the code of the force. */
-int fvi_step_force(const fvi_stepper *s, double t, double *F);
-
 /* fvi_step_forces_at_stages -- Write F at the s stages of step k, d numbers each. At the ends of the step F is the
- * limit from within the step. Return FVI_SUCCESS, or the code of the force. */
+ * limit from within the step. Return FVI_SUCCESS, or the codes of fvi_finite_step_force. */
 int fvi_step_forces_at_stages(const fvi_stepper *s, size_t k, size_t stages,
                               const fvi_lobatto_rule *rule, double *F);
 

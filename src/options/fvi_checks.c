@@ -146,10 +146,10 @@ int fvi_check_impulses(const fvi_options *o, fvi_error *c)
     return 0;
 }
 
-int fvi_check_force_at_start(const fvi_options *o, fvi_error *c)
+int fvi_check_forces(const fvi_options *o, size_t steps, fvi_error *c)
 {
-    int status = o->method ? fvi_check_start_force(o->method, "force", o->text[FORCE], o->force, c) : 0;
+    int status = o->method ? fvi_check_force(o->method, o->h, steps, "force", o->text[FORCE], o->force, c) : 0;
     if (o->method && o->ground && !status)
-        status = fvi_check_start_force(o->method, "ground", o->text[GROUND], fvi_ground_typed(o->ground), c);
+        status = fvi_check_force(o->method, o->h, steps, "ground", o->text[GROUND], fvi_ground_typed(o->ground), c);
     return status;
 }

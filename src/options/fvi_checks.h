@@ -29,7 +29,8 @@ int fvi_check_solution(fvi_options *o, fvi_error *c);
  * [(17.17)] */
 int fvi_check_impulses(const fvi_options *o, fvi_error *c);
 
-/* fvi_check_force_at_start -- Check --force and --ground at t = 0, as fvi_check_start_force does. [(13.12)] */
-int fvi_check_force_at_start(const fvi_options *o, fvi_error *c);
+/* fvi_check_forces -- Check --force and --ground as fvi_check_force does, in the steps of a run; at t = 0 alone if
+ * steps = 0. [(13.12)] */
+int fvi_check_forces(const fvi_options *o, size_t steps, fvi_error *c);
 
 #endif

@@ -167,7 +167,7 @@ static int interpret_trajectory(fvi_options *o, fvi_error *c)
     if (!status)
         status = fvi_check_impulses(o, c);
     if (!status)
-        status = fvi_check_force_at_start(o, c);
+        status = fvi_check_forces(o, 0, c);
     return status ? status : fvi_check_solution(o, c);
 }
 

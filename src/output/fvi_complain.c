@@ -72,9 +72,19 @@ const char *fvi_reason(int status)
                                    : fvi_code_in_words(status);
 }
 
-int fvi_stopped_at(size_t step, int status)
+static int print_step(size_t step, const char *reason)
 {
     fvi_progress_clear();
-    fprintf(stderr, "fvi: step %zu: %s\n", step, fvi_reason(status));
+    fprintf(stderr, "fvi: step %zu: %s\n", step, reason);
     return 1;
+}
+
+int fvi_stopped_at(size_t step, int status)
+{
+    return print_step(step, fvi_reason(status));
+}
+
+int fvi_stopped_by(size_t step, const fvi_error *failure)
+{
+    return print_step(step, failure->text);
 }

@@ -12,6 +12,7 @@ int fvi_complain_of(const fvi_error *error); /* names the field, if there is one
 int fvi_cannot_write(
     const char *name); /* adds the reason in errno; NULL: standard output */
 int fvi_stopped_at(size_t step, int status); /* status: a code of fvi/error.h */
+int fvi_stopped_by(size_t step, const fvi_error *failure); /* failure: that of a run, with the reason as its text */
 
 /* fvi_warn -- Print a warning as a line on standard error. The command goes on. */
 void fvi_warn(const char *what);

@@ -116,7 +116,7 @@ int main(int argc, char **argv)
     case FVI_COMMAND_POLES:
         return fvi_command_poles(argc, argv);
     case FVI_COMMAND_RUN:
-        if (fvi_options_check_reduced(&o, &error)) {
+        if (fvi_options_check_reduced(&o, &error) || fvi_check_forces(&o, o.steps, &error)) {
             status = fvi_refused(&error, "run");
             break;
         }

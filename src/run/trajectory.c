@@ -6,6 +6,7 @@
 #include "impulses.h"
 #include "run_check.h"
 #include "run_damper.h"
+#include "step_force.h"
 #include "whole_run.h"
 #include "system/archive_pieces.h"
 #include "system/fail.h"
@@ -61,7 +62,8 @@ static fvi_stepper *make_stepper(const fvi_method *method, const fvi_run *run)
                         .g = block + 3 * d,
                         .F = block + 4 * d,
                         .run = fvi_run_normal(method, run),
-                        .method = method };
+                        .method = method,
+                        .error = run->failure };
     s->run.x0 = memcpy(block + 5 * d, run->x0, d * sizeof *s->x);
     s->run.p0 = memcpy(block + 6 * d, run->p0, d * sizeof *s->p);
     memcpy(s->x, run->x0, d * sizeof *s->x);
@@ -69,21 +71,9 @@ static fvi_stepper *make_stepper(const fvi_method *method, const fvi_run *run)
     return s;
 }
 
-/* fvi_all_finite for many numbers. 0 v is 0 for a finite v and NaN otherwise, and so is the sum. The sum may be taken
- * in any order, so the loop is vectorised. */
-static int finite(size_t n, const double *v)
-{
-    double sum = 0;
-#pragma omp simd reduction(+ : sum)
-    for (size_t i = 0; i < n; i++)
-        sum += 0 * v[i];
-    return sum == 0;
-}
-
 static int is_finite(const fvi_stepper *s)
 {
-    const size_t d = s->run.system->d;
-    return d < 4 ? fvi_all_finite(2 * d, s->x) : finite(2 * d, s->x); /* x, then p */
+    return fvi_row_is_finite(2 * s->run.system->d, s->x); /* x, then p */
 }
 
 int fvi_stepper_start(const fvi_method *method, const fvi_run *run,
@@ -100,7 +90,7 @@ int fvi_stepper_start(const fvi_method *method, const fvi_run *run,
     fvi_error said = { 0 };
     s->error = &said;
     status = method->start ? method->start(s) : FVI_SUCCESS;
-    s->error = NULL;
+    s->error = run->failure;
     if (status) {
         fvi_stepper_free(s);
         if (said.code == status && error)
@@ -164,13 +154,6 @@ int fvi_stepper_step(fvi_stepper *s)
     if (!s->method->dense)
         s->t = (double)s->k * s->run.h;
     return FVI_SUCCESS;
-}
-
-int fvi_force_value(fvi_stepper *s, double t)
-{
-    const fvi_force *force = &s->run.system->force;
-    return force->value ? force->value(t, s->run.system->d, force->params, s->F)
-                        : FVI_SUCCESS;
 }
 
 int fvi_stepper_advance_to(fvi_stepper *s, double t, double *x, double *p)

@@ -27,7 +27,7 @@ static int motion_at_start(fvi_stepper *s, double *v, double *a)
     if (!status)
         status = fvi_lagrangian_point(system, 0, s->x, v, NULL, a, NULL, NULL, NULL, Lvv);
     if (!status)
-        status = fvi_force_value(s, 0);
+        status = fvi_step_force(s, 0, s->F);
     for (size_t j = 0; j < d && !status; j++)
         a[j] += s->F[j];
     if (!status)

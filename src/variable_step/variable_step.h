@@ -9,6 +9,7 @@
 
 #include <fvi/variable_steps.h>
 #include "variable_step_band.h"
+#include "run/step_force.h"
 #include "run/step_times.h"
 #include "stages/variable_modes.h"
 
@@ -273,8 +274,8 @@ int fvi_variable_step_choose(const fvi_stepper *s, fvi_variable_step_state *o, d
  *
  *   event  the step ends at this time at the latest
  *
- * Returns FVI_SUCCESS; FVI_ERUNAWAY; FVI_EMAXITER, FVI_ESING or FVI_EOVRFLW if no step is short enough; the codes of
- * fvi_variable_step_try and of the events. */
+ * Returns FVI_SUCCESS; FVI_ERUNAWAY; FVI_EMAXITER, FVI_ESING or FVI_EOVRFLW if no step is short enough, FVI_EBADFUNC
+ * if a function is not finite there; the codes of fvi_variable_step_try and of the events. */
 int fvi_variable_step_find(fvi_stepper *s, fvi_variable_step_state *o, double event);
 
 /* fvi_variable_step_matrices -- compute the matrices of all groups for steps of this length. Returns FVI_SUCCESS, or

@@ -1,6 +1,7 @@
 /* src/variable_step/variable_step_control.c -- Choose the length of the next step by the error of the last. [H 22] */
 #include "variable_step_events.h"
 
+#include "mechanism/mechanism_state.h"
 #include "system/larger.h"
 
 #include <gsl/gsl_math.h>
@@ -69,6 +70,18 @@ static void shrink_step(fvi_variable_step_state *o, fvi_length length, double er
     o->counts.rejected++;
 }
 
+/* Even the shortest step has failed, with this status. If a function is not finite near o->t, say so: the force, by its
+ * bound in the next steps that short, or a function of a mechanism. Return FVI_EBADFUNC, or else status. */
+static int explain_failure(fvi_stepper *s, const fvi_variable_step_state *o, int status)
+{
+    enum { SHORT_STEPS = 1000 }; /* as many meet a pole that the steps have come near to */
+    const fvi_force *force = &s->run.system->force;
+    if (force->bound && !force->bound(o->t, o->t + SHORT_STEPS * o->least, 0, o->d, force->params, o->most_of_force)
+        && fvi_check_finite(s, "force", "the force", " on coordinate ", o->t, o->d, o->most_of_force))
+        return FVI_EBADFUNC;
+    return s->mechanism ? fvi_mechanism_explain(s, status) : status;
+}
+
 //> find
 /* Try lengths until the error is small enough. */
 static int find_length(fvi_stepper *s, fvi_variable_step_state *o, double event)
@@ -91,9 +104,9 @@ static int find_length(fvi_stepper *s, fvi_variable_step_state *o, double event)
             return FVI_SUCCESS;
         }
         if (length.h <= o->least)
-            return status              ? status
-                   : gsl_finite(error) ? FVI_EMAXITER
-                                       : FVI_EOVRFLW;
+            return explain_failure(s, o, status              ? status
+                                         : gsl_finite(error) ? FVI_EMAXITER
+                                                             : FVI_EOVRFLW);
         shrink_step(o, length, error, failed);
         found_before = failed ? 0 : found;
         h_before = length.h;

@@ -109,7 +109,7 @@ static int find_first_scale(fvi_stepper *s, const double *springs, double *scale
     double x = 0, of_v = 0, of_f = 0;
     int status = fvi_potential_gradient(system, s->x, s->g);
     if (!status)
-        status = fvi_force_value(s, 0);
+        status = fvi_step_force(s, 0, s->F);
     for (size_t j = 0; !status && j < system->d; j++) {
         const double m = system->mass[j],
                      t = find_compliance(m, 0, springs ? springs[j] : 0, 0, s->run.h);

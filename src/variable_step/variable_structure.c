@@ -26,7 +26,7 @@ int fvi_structure_mesh_scale(fvi_stepper *s, double *scale)
     for (size_t i = 0; i < system->force.impulse_count; i++)
         for (size_t j = 0; j < d; j++)
             v[j] = larger(fabs(v[j]), fabs(system->force.impulses[i].J[j]));
-    int status = fvi_force_value(s, 0);
+    int status = fvi_step_force(s, 0, s->F);
     if (!status)
         status = system->matrices->stiffness(d, s->x, system->matrices->params, a);
     for (size_t j = 0; j < d; j++)

@@ -389,8 +389,7 @@ def test_an_error_is_kept_or_refused():
 
 
 def test_what_is_not_finite_is_an_error_with_its_step():
-    for options, step in (({"potential": "log(x) + 8*x", "columns": "t,x,energy"}, 6), ({"x0": 1e200, "columns": "energy"}, 0),
-                          ({"force": "1/(t - 1)", "h": 0.5, "steps": 4}, 2), ({"force": "1/(t - 1)", "h": 0.5, "steps": 4, "columns": "p"}, 2)):
+    for options, step in (({"potential": "log(x) + 8*x", "columns": "t,x,energy"}, 6), ({"x0": 1e200, "columns": "energy"}, 0)):
         with pytest.raises(fvi.Error, match=rf"finite \(step {step}\)") as caught:
             fvi.run(**options)
         assert caught.value.code == 16

@@ -137,3 +137,35 @@ def test_what_would_be_ignored_or_huge_at_the_start_is_refused():
     with pytest.raises(ValueError, match="force: .* is infinite at t = 0"):
         fvi.run(force="1/t", method="fvi-bdf2")
     assert np.all(np.isfinite(fvi.run(force="sin(t)/t", method="fvi-lobatto4").x))
+
+
+def test_a_force_that_is_not_finite_is_named_with_its_time():
+    """As the program and the library do: a text before the run, and a function of the caller's in the step."""
+    where = r"force: '1/\(t-1\)' is infinite at t = 1, where fvi.* asks for it"
+    problem = fvi.Problem(force="1/(t-1)", time=2)
+    for method in ("fvi", "fvi-stable", "fvi-lobatto4"):
+        with pytest.raises(ValueError, match=where):
+            fvi.run(force="1/(t-1)", method=method)
+        with pytest.raises(ValueError, match=where):
+            fvi.solve(problem, h=0.1, method=method)
+        with pytest.raises(ValueError, match=where):
+            fvi.Stepper(problem, h=0.1, method=method)
+    with pytest.raises(ValueError, match=where):
+        fvi.fit(np.arange(9) / 4, np.cos(np.arange(9) / 4), force="1/(t-1)")
+    assert np.all(np.isfinite(fvi.run(force="1/(t-1.05)").x))
+    assert np.all(np.isfinite(fvi.solve(problem.replace(time=1.9), h=0.19, method="fvi").x))
+    with pytest.raises(fvi.Error, match="the force is infinite at t = 1") as adaptive:
+        fvi.solve(problem)
+    own = dict(potential="(x1^2+x2^2)/2", x0=[1, 1], p0=[0, 0], force=lambda t: [0, np.nan if t > 0.95 else 0])
+    with pytest.raises(fvi.Error, match="the force on coordinate 2 is not a number at t = 1") as by_solve:
+        fvi.solve(fvi.Problem(time=2, **own), h=0.1)
+    with pytest.raises(fvi.Error, match="the force on coordinate 2 is not a number at t = 1") as by_run:
+        fvi.run(**own)
+    stepper = fvi.Stepper(fvi.Problem(time=2, **own), h=0.1)
+    with pytest.raises(fvi.Error, match="the force on coordinate 2 is not a number at t = 1") as by_step:
+        stepper.step(20)
+    assert by_solve.value.step == by_run.value.step == by_step.value.step == 10
+    assert adaptive.value.code == by_solve.value.code == by_run.value.code == by_step.value.code == 9
+    on = fvi.Problem("x1^2/2", force_on="1=1/(t-1)", x0=1, p0=0, time=2)
+    with pytest.raises(fvi.Error, match="the force is infinite at t = 1"):
+        fvi.solve(on, h=0.1, method="fvi")

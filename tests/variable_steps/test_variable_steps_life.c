@@ -162,7 +162,7 @@ START_TEST(what_callbacks_say_comes_back)
                                            NULL), 0);
         while (s->k < run.steps && !status)
             status = fvi_stepper_step(s);
-        ck_assert_int_eq(status, mood ? FVI_EOVRFLW : -77);
+        ck_assert_int_eq(status, mood ? FVI_EBADFUNC : -77);
         fvi_stepper_free(s);
     }
     fvi_run wrong = run;

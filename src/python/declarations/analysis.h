@@ -57,8 +57,8 @@ void fvi_expression_free(fvi_expression *e);
 int fvi_parse_free_parameter(const char *field, const char *text, const fvi_free_parameter_names *names,
                              fvi_free_parameter *which, fvi_error *error);
 const char *fvi_free_parameters_of_laws(const fvi_run *run, size_t most, size_t size, char *text);
-enum { FVI_ESTIMATION_MOST = 8, FVI_EDOM = 1, FVI_EINVAL = 4, FVI_ENOMEM = 8, FVI_ERUNAWAY = 10, FVI_EMAXITER = 11,
-    FVI_ETOL = 14, FVI_EOVRFLW = 16, FVI_ESING = 21, FVI_EUNSUP = 23 };
+enum { FVI_ESTIMATION_MOST = 8, FVI_EDOM = 1, FVI_EINVAL = 4, FVI_ENOMEM = 8, FVI_EBADFUNC = 9, FVI_ERUNAWAY = 10,
+    FVI_EMAXITER = 11, FVI_ETOL = 14, FVI_EOVRFLW = 16, FVI_ESING = 21, FVI_EUNSUP = 23 };
 typedef struct {
     const fvi_method *method;
     const fvi_run *run;
@@ -76,6 +76,8 @@ typedef struct {
     double huber;
     ...;
 } fvi_estimation;
+int fvi_check_force_of_fit(const fvi_estimation *fit, const char *field, const char *text,
+                           const fvi_typed_force *force, fvi_error *error);
 typedef struct {
     double estimate[8], sd[8], correlation[8][8];
     double quantile, sigma, chi2, probability, neighbours;

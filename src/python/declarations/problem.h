@@ -34,8 +34,8 @@ void fvi_ground_free(fvi_ground *ground);
 int fvi_parse_force(const char *text, size_t d, fvi_user_parameters *parameters, double last, fvi_typed_force **force,
                     fvi_error *error);
 fvi_force fvi_force_typed(const fvi_typed_force *force);
-int fvi_check_start_force(const fvi_method *method, const char *field, const char *text, const fvi_typed_force *force,
-                          fvi_error *error);
+int fvi_check_force(const fvi_method *method, double h, size_t steps, const char *field, const char *text,
+                    const fvi_typed_force *force, fvi_error *error);
 int fvi_check_start_velocity(const fvi_system *system, const double *x0, const double *v0, const double *p0,
                              fvi_error *error);
 void fvi_typed_force_free(fvi_typed_force *force);

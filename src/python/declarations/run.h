@@ -54,6 +54,7 @@ typedef struct {
     const fvi_kernel *law;
     const struct fvi_event *events;
     size_t event_count;
+    fvi_error *failure;
 } fvi_run;
 typedef struct {
     const char *name, *order, *memory;

@@ -106,7 +106,7 @@ def rows_by_stepper(motion: Any, events: Any, file: Optional[Checkpoint], t: Arr
         status = ask(lib.rows_of_stepper, stepper, len(t), *arrays, count, SECONDS if file else math.inf)
         known = happened.note(stepper, known)
         if status:
-            failed: Error = failure(status, f" (step {stepper.k + 1})")
+            failed: Error = failure(status, f" (step {stepper.k + 1})", motion.run.failure)
             failed.step = stepper.k + 1
             return failed, happened, stepper
         if file and (is_done() or time.monotonic() - saved >= SECONDS):

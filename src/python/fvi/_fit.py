@@ -237,6 +237,8 @@ def fit(t: Numbers, x: Numbers, potential: Union[str, Potential, Problem] = "har
     question.starts, question.h, question.huber = starts, number("h", h), number("huber", huber)
     if method is None and not h and not {"kappa", "memory", "tolerance"} & set(options):
         question.method = lib.fvi_estimate_method(question) or best
+    if system.typed_force:
+        understand(lib.fvi_check_force_of_fit, question, b"force", system.texts["force"].encode(), system.typed_force)
     warn_of_memory(question.method, model)
     put_box(question, system, names)
     curve, f = np.empty(sum(each.x.size for each in found)), ffi.new("fvi_estimate *")

@@ -305,7 +305,7 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     else:
         status = ask(lib.fvi_adjoint_forces, adjoint.method, adjoint.motion.run, objective, *of_dampers, by.outputs(found))
     if status:
-        raise failure(status)
+        raise failure(status, said=adjoint.motion.run.failure)
     add_energy(solution, by_energy, system, found)
     if q.ground is not None and "mass" in found:
         add_ground(system, adjoint, found, q.kind == "structure")

@@ -32,7 +32,7 @@ def tangents(by: Derivatives, n: int) -> Optional[np.ndarray]:
     status = ask(lib.fvi_directional_derivatives, adjoint.method, adjoint.motion.run, count, along,
                  ffi.from_buffer("double[]", x), ffi.NULL, ffi.from_buffer("double[]", dx), ffi.NULL)
     if status:
-        raise failure(status)
+        raise failure(status, said=adjoint.motion.run.failure)
     return dx[adjoint.rows]
 
 

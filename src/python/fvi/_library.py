@@ -12,7 +12,8 @@ from ._fvi import ffi, lib
 from .errors import Error, FviWarning
 
 
-STOPPED = (lib.FVI_ERUNAWAY, lib.FVI_EOVRFLW, lib.FVI_EMAXITER, lib.FVI_ESING)  # codes of a step that failed
+# the codes of a step that failed
+STOPPED = (lib.FVI_ERUNAWAY, lib.FVI_EOVRFLW, lib.FVI_EMAXITER, lib.FVI_ESING, lib.FVI_EBADFUNC)
 
 
 def text_of(pointer: Any) -> str:
@@ -25,9 +26,9 @@ def own_code(code: int) -> str:
     return f", code {code}" if is_own else ""
 
 
-def failure(code: int, where: str = "") -> Error:
-    """The exception for a code that the last call returned."""
-    why = lib.reason_of_code(code)
+def failure(code: int, where: str = "", said: Any = None) -> Error:
+    """The exception for a code that the last call returned; said: the fvi_error of a run whose step may have failed."""
+    why = said.text if said and said.code == code else lib.reason_of_code(code)
     words = text_of(lib.fvi_error_name(code) if why == ffi.NULL else why)
     return Error(words + own_code(code) + where, code)
 

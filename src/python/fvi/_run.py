@@ -93,7 +93,7 @@ def prepare(potential: Union[str, Potential] = "harmonic:1", last: Optional[floa
     if found == ffi.NULL:
         names = [m.name for m in methods()]
         raise ValueError(f"method: '{method}' is none of " + ", ".join(names) + nearest(method, names))
-    problem.check_force(found)
+    problem.check_force(found, h, steps if last is None else 0)  # a fit takes the times of its data
     if not found.takes_kappa and kappa != 0.5:
         raise ValueError(f"kappa: {method} has none")
     for name, value in (("step_error", step_error), ("longest", longest), ("most_steps", most_steps)):
@@ -105,6 +105,7 @@ def prepare(potential: Union[str, Potential] = "harmonic:1", last: Optional[floa
     run.system = problem.system
     run.x0, run.p0 = problem.pointer(problem.x0), problem.pointer(problem.p0)
     run.h, run.steps = h, steps
+    run.failure = problem.failure
     run.kappa, run.tolerance = number("kappa", kappa), number("tolerance", tolerance)
     run.alpha = number("alpha", 0.5 if alpha is None else alpha)
     run.law = problem.law
@@ -214,7 +215,7 @@ class Stepper:
         """At most so many steps; how many there were."""
         status = ask(lib.take_steps, self._s, count, self._watch, self._taken)
         if status:
-            stopped = failure(status, f" (step {self._s.k + 1})")
+            stopped = failure(status, f" (step {self._s.k + 1})", self._run.failure)
             stopped.step, stopped.time = self._s.k + 1, self._s.t
             raise stopped
         return self._taken[0]
@@ -274,7 +275,7 @@ def solve(method: Any, r: Any, time: float, tolerance: float, most: int, pointer
     outputs = ffi.new("fvi_outputs *", dict(zip(("x", "p", "energy"), pointers), rows=r.steps + 1))
     report, error = ffi.new("fvi_report *"), ffi.new("fvi_error *")
     status = ask(lib.fvi_solve, problem, options, accuracy, outputs, report, error)
-    if status in STOPPED and not tolerance:
+    if status in STOPPED and not tolerance and status != lib.FVI_EBADFUNC:  # which the library explains
         stopped = failure(status, f" (step {error.index})")
         stopped.step = error.index
         raise stopped

@@ -69,13 +69,14 @@ class Motion:
         if q.v0 is not None:
             self.put_velocity(is_structure)
         self.method = lib.fvi_method_find(how.method.encode())
-        s.check_force(self.method)
         run = self.run = ffi.new("fvi_run *")
         run.system, run.x0, run.p0 = s.system, s.pointer(s.x0), s.pointer(s.p0)
         run.steps, run.h = how.steps, how.h if how.h is not None else q.time / how.steps
         run.kappa, run.tolerance, run.memory = how.kappa, how.tolerance, MEMORIES[how.memory]
         run.alpha = alpha
-        run.past, run.law = choice("past", q.past, PASTS), s.law
+        run.past, run.law, run.failure = choice("past", q.past, PASTS), s.law, s.failure
+        has_rows = how.h is not None or (how.error is not None and how.t_eval is None)  # at which every method asks
+        s.check_force(self.method, run.h, run.steps if has_rows else 0)
         run.step_error, run.longest = length("step_error", how.step_error), length("longest", how.longest)
         run.most_steps = how.most_steps
         run.events, run.event_count = s.events or ffi.NULL, len(how.events)

@@ -224,6 +224,7 @@ class System:
                  damping: Any = None, mechanism: Any = None, structure: Any = None, ground: Any = None,
                  along: Optional[Numbers] = None, events: Any = None, start: str = "p0"):
         self.keep: list = []
+        self.failure = ffi.new("fvi_error *")  # of a step that fails; the runs keep the pointer
         self.laws_of_dampers: list = []
         if let is not None and not (isinstance(let, Mapping) and all(isinstance(name, str) for name in let)):
             raise TypeError(f"let: {arguments.described(let)} is no dict of names and numbers")
@@ -345,12 +346,12 @@ class System:
         self.ground = ffi.gc(out[0], lib.fvi_ground_free)
         self.system.force = lib.fvi_ground_force(self.ground)
 
-    def check_force(self, method: Any) -> None:
-        """A text that is infinite at t = 0 is refused for a method that asks for it just after t = 0."""
+    def check_force(self, method: Any, h: float, steps: int) -> None:
+        """A text that is not finite where the steps of a run ask for it is refused; steps = 0: at t = 0 alone."""
         ground = self.ground and lib.fvi_ground_typed(self.ground)
         for field, typed in (("force", self.typed_force), ("ground", ground)):
             if typed and isinstance(self.texts[field], str):
-                understand(lib.fvi_check_start_force, method, field.encode(), self.texts[field].encode(), typed)
+                understand(lib.fvi_check_force, method, h, steps, field.encode(), self.texts[field].encode(), typed)
 
     def force(self, given: Any) -> Any:
         F = ffi.new("fvi_force *")
