@@ -1,6 +1,7 @@
 /* src/adjoint/adjoint_multistep.c -- The adjoint run of a method without stages. [H 23, 27] */
 #include "adjoint_multistep.h"
 
+#include "held_dampers.h"
 #include "parameter_derivatives/potential_derivatives.h"
 #include "system/arrays.h"
 #include "system/dot.h"
@@ -40,13 +41,7 @@ static int start_stepper(fvi_adjoint_multistep *m, const fvi_method *method)
     m->linearised.by_order = m->by_order;
     m->linearised.from_zero = m->paper_convention;
     m->system = fvi_linearised_system(system, &m->linearised);
-    for (size_t j = 0; system->mechanism && j < m->count; j++) {
-        m->held[j] = system->mechanism->damper[j];
-        m->held[j].past = FVI_INITIAL_HISTORY_HELD;
-    }
-    m->mechanism = (fvi_mechanism){ .damper_count = m->count, .damper = m->held };
-    if (system->mechanism)
-        m->system.mechanism = &m->mechanism;
+    fvi_hold_dampers(system, m->held, &m->mechanism, &m->system);
     back.system = &m->system;
     back.x0 = m->Jp;
     back.p0 = m->zeros;

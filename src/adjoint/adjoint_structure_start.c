@@ -2,6 +2,7 @@
  * 27] */
 #include "adjoint_structure.h"
 
+#include "held_dampers.h"
 #include "methods/lobatto_stages.h"
 #include "parameter_derivatives/wanted_check.h"
 #include "system/arrays.h"
@@ -51,13 +52,7 @@ static int start_stepper(fvi_adjoint_structure *m, const fvi_method *method, con
     m->linearised.is_dual = 1;
     m->linearised.by_order = m->by_order;
     m->system = fvi_linearised_system(system, &m->linearised);
-    for (size_t j = 0; system->mechanism && j < m->count; j++) {
-        m->held[j] = system->mechanism->damper[j];
-        m->held[j].past = FVI_INITIAL_HISTORY_HELD;
-    }
-    m->mechanism = (fvi_mechanism){ .damper_count = m->count, .damper = m->held };
-    if (system->mechanism)
-        m->system.mechanism = &m->mechanism;
+    fvi_hold_dampers(system, m->held, &m->mechanism, &m->system);
     back.system = &m->system;
     back.x0 = back.p0 = m->zeros;
     back.past = FVI_INITIAL_HISTORY_HELD;

@@ -90,7 +90,8 @@ static int start_spread(spread *o, const fvi_walls *w, const fvi_sensitivities *
 
 /* Copy the derivatives of the run with walls to the derivatives of the run. The force acts on a coordinate and on its
  * ghost, so the derivative by it is a sum of two. */
-static void write_derivatives(const spread *o, const fvi_walls *w, const fvi_sensitivities *want, const double *by_impulse)
+static void write_derivatives(const spread *o, const fvi_walls *w, const fvi_sensitivities *want,
+                              const double *by_impulse)
 {
     for (size_t i = 0; i < w->d; i++) {
         const size_t at = w->index[i];
@@ -199,8 +200,8 @@ static int check(const fvi_method *method, const fvi_run *run, const fvi_objecti
     return FVI_SUCCESS;
 }
 
-int fvi_adjoint_forces(const fvi_method *method, const fvi_run *run, const fvi_objective *objective, const double *force,
-                       const double *impulse, const fvi_sensitivities *gradients)
+int fvi_adjoint_forces(const fvi_method *method, const fvi_run *run, const fvi_objective *objective,
+                       const double *force, const double *impulse, const fvi_sensitivities *gradients)
 {
     int status = check(method, run, objective, gradients);
     fvi_stepper *s = NULL;

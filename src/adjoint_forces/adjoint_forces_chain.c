@@ -133,7 +133,8 @@ int fvi_walls_of_chain(fvi_walls *w, const fvi_run *run, const fvi_sensitivities
     all->room = malloc((2 * d + fvi_potential_hessian_size(run->system)) * sizeof *all->room);
     if (!all->room)
         return FVI_ENOMEM;
-    all->o = (ghosts){ .d = d, .of = run->system, .want = want, .x = all->room, .g = all->room + d, .H = all->room + 2 * d };
+    all->o = (ghosts){ .d = d, .of = run->system, .want = want,
+                       .x = all->room, .g = all->room + d, .H = all->room + 2 * d };
     status = fvi_walls_allocate(w, run);
     if (!status) {
         describe(w, &all->o);

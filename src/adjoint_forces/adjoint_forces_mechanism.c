@@ -106,8 +106,8 @@ static void connect(parts *o, size_t j)
 
 /* ---- the Lagrangian: that of the run, plus the kinetic energy of the walls ---- */
 
-static int lagrangian(double t, size_t d, const double *x, const double *v, void *params, double *L, double *Lx, double *Lv,
-                      double *Lxx, double *Lxv, double *Lvv)
+static int lagrangian(double t, size_t d, const double *x, const double *v, void *params, double *L, double *Lx,
+                      double *Lv, double *Lxx, double *Lxv, double *Lvv)
 {
     const parts *o = params;
     const fvi_lagrangian *of = o->m->lagrangian;
@@ -186,7 +186,8 @@ static int column(size_t j, size_t d, const double *x, void *params, double *S)
 
 /* ---- forces of velocity, constraints ---- */
 
-static int force_on(double t, size_t d, const double *x, const double *v, void *params, double *F, double *Fx, double *Fv)
+static int force_on(double t, size_t d, const double *x, const double *v, void *params, double *F, double *Fx,
+                    double *Fv)
 {
     const parts *o = params;
     const fvi_state_force *of = o->m->force_on;
@@ -239,8 +240,8 @@ static int column_of_force(size_t j, double t, size_t d, const double *x, const 
     return o->want->columns->force(j, t, o->d, x, v, o->want->columns->params, F);
 }
 
-static int column_of_elongation(size_t j, size_t e, double t, size_t d, const double *x, void *params, double *g, double *G,
-                                double *gt)
+static int column_of_elongation(size_t j, size_t e, double t, size_t d, const double *x, void *params, double *g,
+                                double *G, double *gt)
 {
     const parts *o = params;
     memset(G + o->d, 0, (d - o->d) * sizeof *G);

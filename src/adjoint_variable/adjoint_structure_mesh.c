@@ -333,8 +333,8 @@ static int end(fvi_adjoint_structure_mesh_run *m)
     }
     if (want->mass && !status) { /* v0 is M^-1 p0; p_N is M v_N plus the impulse at the last time */
         status = matrices->inertia(d, m->path.impulse_dv, matrices->params, m->product);
-        *want->mass = m->by_M - fvi_dot(d, run->p0, m->o->v) - fvi_dot(d, m->v0, m->extra) + fvi_dot(d, m->Jp, m->path.p)
-                      - fvi_dot(d, m->Jp, m->product);
+        *want->mass = m->by_M - fvi_dot(d, run->p0, m->o->v) - fvi_dot(d, m->v0, m->extra)
+                      + fvi_dot(d, m->Jp, m->path.p) - fvi_dot(d, m->Jp, m->product);
     }
     if (want->parameters)
         *want->parameters = -m->by_K;

@@ -27,8 +27,8 @@ typedef struct {
     double *block;  /* the memory of psi, A, the three derivatives and moment; owned */
 } fvi_singular_start_adjoint;
 
-/* fvi_singular_start_adjoint_start -- start for a run with this state, whose modes are those of the adjoint run. Give it
- * back with fvi_singular_start_adjoint_stop, also after an error. Returns FVI_SUCCESS or FVI_ENOMEM. */
+/* fvi_singular_start_adjoint_start -- start for a run with this state, whose modes are those of the adjoint run. Give
+ * it back with fvi_singular_start_adjoint_stop, also after an error. Returns FVI_SUCCESS or FVI_ENOMEM. */
 int fvi_singular_start_adjoint_start(const fvi_run *run, const fvi_variable_step_state *o,
                                      fvi_singular_start_adjoint *start);
 void fvi_singular_start_adjoint_stop(fvi_singular_start_adjoint *start);

@@ -34,8 +34,8 @@ static int check_damper(const fvi_damper *damper, size_t i, int wants_hessian,
     const int status = fvi_kernel_check(damper->kernel);
     if (status)
         return fvi_at_index(error, i,
-                            fvi_fail(error, status, "damper", (double)i + 1, "damper %zu: its kernel is no law of damping: %s",
-                                     i + 1, fvi_error_name(status)));
+                            fvi_fail(error, status, "damper", (double)i + 1,
+                                     "damper %zu: its kernel is no law of damping: %s", i + 1, fvi_error_name(status)));
     if (damper->past != FVI_INITIAL_HISTORY_HELD
         && damper->past != FVI_INITIAL_HISTORY_CAPUTO
         && damper->past != FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE)

@@ -137,9 +137,9 @@ static int check_massless(const fvi_stepper *s, fvi_error *error)
                        && fvi_kernel_growth(mechanism->damper[j].kernel) > 1;
         if (!is_held)
             return fvi_at_index(error, i,
-                                fvi_fail(error, FVI_EUNSUP, "mass", 0, "coordinate %zu has no inertia, and no damper of "
-                                         "an order above 1 that this method could take: fvi-stable and fvi-lobatto2d "
-                                         "to 8d take it", i + 1));
+                                fvi_fail(error, FVI_EUNSUP, "mass", 0, "coordinate %zu has no inertia, and no damper "
+                                         "of an order above 1 that this method could take: fvi-stable and "
+                                         "fvi-lobatto2d to 8d take it", i + 1));
     }
     return FVI_SUCCESS;
 }

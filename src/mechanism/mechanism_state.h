@@ -34,8 +34,8 @@ typedef struct {
 } fvi_mechanism_start_force;
 
 /* The state has d coordinates, r dampers and m ties. Stage i of coordinate j is at [i * d + j]. q is the number of
- * points at which a step evaluates the Lagrangian: s with stages, else 1. The first `permanent` ties are the constraints of
- * the run. The other ties are closed contacts; at most `most` - `permanent` contacts can be closed. */
+ * points at which a step evaluates the Lagrangian: s with stages, else 1. The first `permanent` ties are the
+ * constraints of the run. The other ties are closed contacts; at most `most` - `permanent` contacts can be closed. */
 typedef struct fvi_mechanism_state {
     fvi_method method; /* a copy of the method with these steps; not used on a mesh */
     fvi_mechanism_form form;

@@ -39,8 +39,8 @@ int fvi_wanted_check_dampers(const fvi_method *method, const fvi_run *run,
                      "methods have",
                      FVI_EUNSUP);
         if (!fvi_kernel_is_power(kernel) || kernel->term->alpha > 0.5)
-            FVI_FAIL("one of several dampers may have Riemann and Liouville's past in an adjoint if its law is one power "
-                     "of an order up to 1",
+            FVI_FAIL("one of several dampers may have Riemann and Liouville's past in an adjoint if its law is one "
+                     "power of an order up to 1",
                      FVI_EUNSUP);
     }
     return FVI_SUCCESS;

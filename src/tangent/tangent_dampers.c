@@ -234,7 +234,8 @@ int fvi_tangent_damper_next(fvi_tangent_run *o, size_t k, fvi_tangent_damper *a)
 
 /* ---- a step ---- */
 
-int fvi_tangent_multiply(const fvi_tangent_run *o, const fvi_tangent_damper *a, double share, const double *y, double *to)
+int fvi_tangent_multiply(const fvi_tangent_run *o, const fvi_tangent_damper *a, double share, const double *y,
+                         double *to)
 {
     const fvi_damping_matrix *C = &a->of.matrix;
     if (C->select_history)

@@ -87,7 +87,8 @@ int fvi_variable_step_archive_events(const fvi_stepper *s, fvi_variable_step_sta
         return status;
     for (w->happened = 0; w->happened < happened && !status; w->happened++) {
         fvi_event_time *at = &w->times[w->happened];
-        status = FVI_SERIALIZE(v, FVI_STATE(at->t), FVI_STATE(at->event), FVI_STATE(at->at_rest), FVI_STATE(at->lifts_off));
+        status = FVI_SERIALIZE(v, FVI_STATE(at->t), FVI_STATE(at->event), FVI_STATE(at->at_rest),
+                               FVI_STATE(at->lifts_off));
         if (!status && !(at->event < w->count && at->t <= s->t))
             FVI_FAIL("not a state of this run", FVI_EINVAL);
     }

@@ -263,8 +263,8 @@ static int begin_law(fvi_stepper *s, fvi_variable_step_state *o)
         jumps |= system->damping[j] > 0 && s->p[j] != 0;
     if (jumps && fvi_kernel_growth(s->run.law) > 1)
         return fvi_fail(s->error, FVI_EUNSUP, "p0", NAN, "fvi-adaptive takes no velocity that jumps with a law that "
-                        "grows faster than s; fvi-bdf2 and fvi-stable do, and fvi-adaptive if the law is that of a damper "
-                        "on each coordinate");
+                        "grows faster than s; fvi-bdf2 and fvi-stable do, and fvi-adaptive if the law is that of a "
+                        "damper on each coordinate");
     return fvi_variable_step_prepare_kernel(s->run.law, &o->kernel);
 }
 

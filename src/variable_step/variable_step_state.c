@@ -284,9 +284,9 @@ int fvi_variable_step_archive(fvi_stepper *s, fvi_archive *v)
         FVI_STATE(o->t0), FVI_STATE(o->length.h), FVI_STATE(o->length.k), FVI_STATE(o->event), FVI_STATE(o->hits),
         FVI_STATE(o->scale),
         FVI_STATE(o->next_exponent), FVI_STATE(o->first_exponent), FVI_STATE(o->first_after_event),
-        FVI_STATE(o->longest_exponent), FVI_STATE(o->growth), FVI_STATE(o->longest_solvable), FVI_STATE(o->steps_since_failure),
-        FVI_STATE(o->undeclared_jump_until), FVI_STATE(o->stalled_iterations), FVI_STATE(o->counts.steps),
-        FVI_STATE(o->counts.rejected), FVI_STATE(o->counts.longest));
+        FVI_STATE(o->longest_exponent), FVI_STATE(o->growth), FVI_STATE(o->longest_solvable),
+        FVI_STATE(o->steps_since_failure), FVI_STATE(o->undeclared_jump_until), FVI_STATE(o->stalled_iterations),
+        FVI_STATE(o->counts.steps), FVI_STATE(o->counts.rejected), FVI_STATE(o->counts.longest));
     if (!status
         && !(has_room_to_solve(o, before) && has_possible_times(s, o)
              && has_possible_control(o)))

@@ -81,8 +81,8 @@ static int refuse(const fvi_stepper *s)
             return fvi_at_index(s->error, j,
                                 fvi_fail(s->error, FVI_EUNSUP,
                                          s->run.system->mechanism ? "damper" : s->run.law ? "law" : "alpha",
-                                         (double)j + 1, "a damping of order 2 is a mass: fvi-lobatto2d to 8d take it with "
-                                         "matrices, fvi-adaptive does not"));
+                                         (double)j + 1, "a damping of order 2 is a mass: fvi-lobatto2d to 8d take it "
+                                         "with matrices, fvi-adaptive does not"));
     }
     return FVI_SUCCESS;
 }
