@@ -229,10 +229,10 @@ static void raise_flags(const fvi_rheology *m, const double *z, fvi_material *a)
                   | FVI_MATERIAL_CHI2);
 }
 
-/* Set the numbers of an element that has the amplitude 0, so that nothing is known of its other numbers. */
-static void set_unneeded(const number *v, fvi_material *a, size_t j)
+/* Say that the data do not determine number v, because its element has the amplitude 0, or because other numbers make
+ * up for it. The estimate is one of many. */
+static void set_undetermined(const number *v, fvi_material *a, size_t j)
 {
-    a->estimate[j] = v->i == 0 ? 0 : a->estimate[j];
     a->sd[j] = INFINITY;
     a->lower[j] = 0;
     a->upper[j] = most_of(v);
@@ -263,7 +263,8 @@ void fvi_rheology_answer(fvi_rheology *o, const double *z, double sum, fvi_mater
             const size_t j = a->numbers++;
             a->estimate[j] = bound(&v, number_of(&v, z, g));
             if (!is_used[n] || a->flags & FVI_MATERIAL_SINGULAR) {
-                set_unneeded(&v, a, j);
+                a->estimate[j] = is_used[n] || i > 0 ? a->estimate[j] : 0;
+                set_undetermined(&v, a, j);
                 continue;
             }
             const double sd = a->sigma * deviation(P, A, length, g);

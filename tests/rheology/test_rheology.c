@@ -242,6 +242,27 @@ START_TEST(a_law_that_is_another_is_flagged)
 }
 END_TEST
 
+/* Moduli at one frequency do not determine the three numbers of a zener. The fit says so, and its law is one of those
+ * that repeat the data; it had the amplitude 0. */
+START_TEST(a_law_that_is_not_determined_repeats_the_data_all_the_same)
+{
+    const double at[] = { 1, 1, 1 }, storage[] = { 2, 2, 2 }, loss[] = { 3, 3, 3 };
+    const fvi_element kind[] = { FVI_ELEMENT_ZENER };
+    const fvi_material_data data = { FVI_MATERIAL_MODULI, 3, at, storage, loss, NULL, NULL, 0, 1, 1, kind, 20 };
+    fvi_material m;
+    OK(fvi_material_fit(&data, NULL, &m, NULL));
+    ck_assert(m.flags & FVI_MATERIAL_SINGULAR);
+    ck_assert(!(m.flags & FVI_MATERIAL_ZERO));
+    const fvi_kernel law = { 1, m.term };
+    double found[2];
+    OK(fvi_kernel_moduli(&law, 1, &found[0], &found[1]));
+    ck_assert_near(found[0], 2, 1e-12, "storage");
+    ck_assert_near(found[1], 3, 1e-12, "loss");
+    ck_assert_double_eq(m.estimate[0], m.term[0].rho);
+    ck_assert(isinf(m.sd[0]) && m.lower[0] == 0);
+}
+END_TEST
+
 START_TEST(a_question_that_cannot_be_asked_is_refused)
 {
     question q;
@@ -294,6 +315,6 @@ int main(void)
              eq_24_16_creep_and_relaxation_against_closed_forms,
              eq_24_11_intervals_of_a_law_hold_the_truth,
              eq_24_18_a_dma_file_as_another_program_fits_it, a_law_that_is_another_is_flagged,
-             a_question_that_cannot_be_asked_is_refused);
+             a_law_that_is_not_determined_repeats_the_data_all_the_same, a_question_that_cannot_be_asked_is_refused);
     return run_suite(suite);
 }
