@@ -64,24 +64,6 @@ static int newton(const fvi_log_box *b, fvi_pole *Q)
     return 0;
 }
 
-/* Cut a box across its longer side, where no zero is. The cut is not in the middle, where a zero may be because of
- * symmetry. Return the number of zeros in the first half, or -1. */
-static int halve_box(const fvi_pole *Q, const fvi_log_box *b, fvi_log_box half[2])
-{
-    static const double parts[] = { 0.5137, 0.4321, 0.6173, 0.3719 };
-    const int wide = b->u[1] - b->u[0] > b->v[1] - b->v[0];
-    int first = -1;
-    for (size_t i = 0; first < 0 && i < sizeof parts / sizeof *parts; i++) {
-        half[0] = half[1] = *b;
-        const double *side = wide ? b->u : b->v,
-                     at = side[0] + parts[i] * (side[1] - side[0]);
-        (wide ? half[0].u : half[0].v)[1] = at;
-        (wide ? half[1].u : half[1].v)[0] = at;
-        first = count_zeros(Q, &half[0]);
-    }
-    return first;
-}
-
 static int no_poles(fvi_error *error)
 {
     return fvi_fail(error, FVI_EMAXITER, "law", NAN,
@@ -103,7 +85,7 @@ static int find_zeros(const fvi_pole *Q, const fvi_log_box *b, int n, size_t mos
     }
     fvi_log_box half[2];
     const int first =
-        b->u[1] - b->u[0] + b->v[1] - b->v[0] > 1e-12 ? halve_box(Q, b, half) : -1;
+        b->u[1] - b->u[0] + b->v[1] - b->v[0] > 1e-12 ? fvi_halve_box(phase, Q, STEP, b, half) : -1;
     if (first < 0 || first > n)
         return no_poles(error);
     int status = find_zeros(Q, &half[0], first, most, pole, count, error);

@@ -40,11 +40,17 @@ int fvi_poles_by_theorem(const fvi_response *r, double least_lambda)
 
 /* ---- the argument principle ---- */
 
-static double phase(const void *params, double u, double v)
+double fvi_poles_phase(const void *params, double u, double v)
 {
     fvi_response *r = (fvi_response *)params;
     const double complex s = exp(u) * (cos(v) + I * sin(v));
     return fvi_stiffness_factorise(r, s, 1) ? GSL_NAN : fvi_complex_factors_phase(r->factors);
+}
+
+/* The phases of d pivots may turn together, so the step is short. */
+double fvi_poles_step(const fvi_response *r)
+{
+    return 0.5 / (double)r->d;
 }
 
 /* Return nonzero if the symbol has poles off the cut. A fraction has the denominator 1 + T s^b. This is zero where
@@ -67,8 +73,7 @@ size_t fvi_poles_counted(fvi_response *r, double low, double high)
     for (size_t l = 2; l < r->terms; l++)
         if (has_own_poles(r->term[l].kernel))
             return SIZE_MAX;
-    /* The phases of d pivots may turn together, so the step is short. */
     const fvi_log_box all = { { low, high }, { 1.5, FVI_NEARLY_REAL } };
-    const int count = fvi_winding(phase, r, 0.5 / (double)r->d, &all);
+    const int count = fvi_winding(fvi_poles_phase, r, fvi_poles_step(r), &all);
     return count < 0 ? SIZE_MAX : (size_t)count;
 }

@@ -17,4 +17,9 @@ int fvi_poles_by_theorem(const fvi_response *response, double least_lambda);
  * mistake. */
 size_t fvi_poles_counted(fvi_response *response, double low, double high);
 
+/* fvi_poles_phase -- Return the phase of det Z at s = e^(u + i v); NaN if Z has no factors there. `params` is the
+ * response. fvi_poles_step returns the step of ln s by which it may be followed. */
+double fvi_poles_phase(const void *params, double u, double v);
+double fvi_poles_step(const fvi_response *response);
+
 #endif

@@ -3,6 +3,7 @@
 
 #include "kernel/kernel_terms.h"
 #include "system/larger.h"
+#include "system/seeded.h"
 
 #include <float.h>
 #include <math.h>
@@ -15,6 +16,32 @@ int fvi_pole_is_found(const fvi_pole_candidate *p, double widest)
      * more than rounding errors. */
     return p->residual < 1e-12 && p->uncancelled < 0.01 && cimag(p->s) > 0
            && creal(p->s) <= 1e-10 * cabs(p->s) && carg(p->s) < widest;
+}
+
+/* ---- two at one pole ---- */
+
+int fvi_pole_is_close(const fvi_pole_candidate *a, const fvi_pole_candidate *b)
+{
+    return cabs(a->s - b->s) < 1e-9 * cabs(a->s);
+}
+
+/* Return |x^* y| divided by the product of the norms. */
+static double modal_assurance(size_t d, const double complex *x,
+                              const double complex *y)
+{
+    double complex xy = 0;
+    double xx = 0, yy = 0;
+    for (size_t i = 0; i < d; i++) {
+        xy += conj(x[i]) * y[i];
+        xx += creal(conj(x[i]) * x[i]);
+        yy += creal(conj(y[i]) * y[i]);
+    }
+    return cabs(xy) / sqrt(xx * yy);
+}
+
+int fvi_pole_is_same(size_t d, const fvi_pole_candidate *a, const fvi_pole_candidate *b)
+{
+    return fvi_pole_is_close(a, b) && modal_assurance(d, a->v, b->v) > 1 - 1e-6;
 }
 
 /* ---- products of vectors; v^T A v is without conjugation ---- */
@@ -195,6 +222,24 @@ int fvi_pole_newton(fvi_response *r, fvi_pole_candidate *p)
     const int status = alternate_pole_and_shape(r, p, room, room + r->d);
     free(room);
     return status;
+}
+
+/* Two steps of inverse iteration turn the random numbers toward the shape. */
+int fvi_pole_newton_from(fvi_response *r, fvi_pole_candidate *p)
+{
+    double complex *room = malloc((r->d + r->terms) * sizeof *room);
+    uint64_t seed = 1;
+    int status = room ? FVI_SUCCESS : FVI_ENOMEM;
+    for (size_t i = 0; i < r->d; i++)
+        p->v[i] = fvi_seeded_uniform(&seed, -1, 1);
+    for (int i = 0; !status && i < 2; i++)
+        status = update_shape(r, &p->s, p->v, room);
+    if (!status)
+        status = alternate_pole_and_shape(r, p, room, room + r->d);
+    else
+        p->residual = 1; /* no pole was found */
+    free(room);
+    return status == FVI_ESING ? FVI_SUCCESS : status;
 }
 
 double complex fvi_pole_start(const fvi_response *r, double lambda,

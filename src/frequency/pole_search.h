@@ -17,9 +17,18 @@ typedef struct {
 /* fvi_pole_is_found -- Return nonzero if the candidate is a pole that oscillates, with arg s < widest. */
 int fvi_pole_is_found(const fvi_pole_candidate *p, double widest);
 
+/* fvi_pole_is_close -- Return nonzero if two candidates have one s, to rounding errors.
+ * fvi_pole_is_same -- Return nonzero if they have one shape, too. A pole with two shapes is two poles. */
+int fvi_pole_is_close(const fvi_pole_candidate *a, const fvi_pole_candidate *b);
+int fvi_pole_is_same(size_t d, const fvi_pole_candidate *a, const fvi_pole_candidate *b);
+
 /* fvi_pole_newton -- Find a pole near s and v, which are right to some digits.   (30.9)
  * Return FVI_SUCCESS, whether a pole is found or not; or FVI_ENOMEM. */
 int fvi_pole_newton(fvi_response *response, fvi_pole_candidate *p);
+
+/* fvi_pole_newton_from -- Find a pole near s alone. The shape begins as numbers that look random.
+ * Return as fvi_pole_newton. */
+int fvi_pole_newton_from(fvi_response *response, fvi_pole_candidate *p);
 
 /* fvi_pole_start -- Return s for an undamped mode v with its lambda: i sqrt(lambda). If lambda is not positive, return
  * i times the frequency at which inertia and damping are equal, or 0 if there is none. `form` has room for a number for

@@ -1,5 +1,6 @@
 /* src/frequency/poles.c -- Find all poles of a system, or the lowest.        [H 30] */
 #include "oscillator_poles.h"
+#include "pole_boxes.h"
 #include "pole_count.h"
 #include "pole_search.h"
 #include "undamped_modes.h"
@@ -7,6 +8,7 @@
 #include "system/larger.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -42,7 +44,7 @@ static int search_alloc(fvi_response *r, size_t count, search *s)
     const int all = d <= ALL_ARE_SOUGHT || d - count < SPARE_MODES;
     *s = (search){ .response = r, .d = d, .n = all ? d : count + SPARE_MODES, .wanted = count,
                     .low = INFINITY, .high = -INFINITY };
-    s->room = d == 1 ? MOST_OF_ONE : s->n;
+    s->room = s->n + (d <= FVI_ALWAYS_DENSE ? d + MOST_OF_ONE : 0); /* laws have poles of their own */
     s->lambda = malloc(s->n * (d + 1) * sizeof *s->lambda);
     s->mode = s->lambda + s->n;
     s->candidate = calloc(s->room, sizeof *s->candidate);
@@ -79,30 +81,9 @@ static int is_found(const search *s, size_t k)
 
 /* ---- two at one pole ---- */
 
-/* Return |x^* y| divided by the product of the norms. */
-static double modal_assurance(size_t d, const double complex *x,
-                              const double complex *y)
-{
-    double complex xy = 0;
-    double xx = 0, yy = 0;
-    for (size_t i = 0; i < d; i++) {
-        xy += conj(x[i]) * y[i];
-        xx += creal(conj(x[i]) * x[i]);
-        yy += creal(conj(y[i]) * y[i]);
-    }
-    return cabs(xy) / sqrt(xx * yy);
-}
-
-static int are_close(const fvi_pole_candidate *a, const fvi_pole_candidate *b)
-{
-    return cabs(a->s - b->s) < 1e-9 * cabs(a->s);
-}
-
-/* A pole with two shapes is two poles. */
 static int are_same_pole(const search *s, size_t j, size_t k)
 {
-    return are_close(&s->candidate[j], &s->candidate[k])
-           && modal_assurance(s->d, s->candidate[j].v, s->candidate[k].v) > 1 - 1e-6;
+    return fvi_pole_is_same(s->d, &s->candidate[j], &s->candidate[k]);
 }
 
 /* Mark candidates that are no pole, and all candidates that found the same pole. */
@@ -250,7 +231,7 @@ static void normalise(search *s, double complex *room)
         fvi_stiffness_at(r, s->candidate[k].s, 1);
         for (size_t j = 0; j < k; j++) {
             const double complex *w = s->candidate[j].v;
-            if (!are_close(&s->candidate[j], &s->candidate[k]))
+            if (!fvi_pole_is_close(&s->candidate[j], &s->candidate[k]))
                 continue;
             const double complex part = quadratic_form(r, w, v, room);
             for (size_t i = 0; i < s->d; i++)
@@ -309,6 +290,19 @@ static void round_modes(const fvi_response *r, size_t n, double *lambda)
             lambda[k] = 0;
 }
 
+/* If poles are missing, search for them where they are counted. By the theorem the paths of search_again find all. */
+static int search_boxes(search *s, size_t expected)
+{
+    fvi_pole_list list = { .count = s->count, .room = s->room, .candidate = s->candidate };
+    const fvi_log_box all = { { s->low - FOLDS, s->high + FOLDS }, { 1.5, FVI_NEARLY_REAL } };
+    if (s->all_are_there || expected == SIZE_MAX || s->count >= expected)
+        return FVI_SUCCESS;
+    const int status = fvi_poles_in_box(s->response, &all, expected, &list);
+    s->count = list.count;
+    qsort(s->candidate, s->count, sizeof *s->candidate, compare_sizes);
+    return status;
+}
+
 static int find_poles(search *s, size_t count, fvi_poles *poles)
 {
     const fvi_response *r = s->response;
@@ -326,7 +320,9 @@ static int find_poles(search *s, size_t count, fvi_poles *poles)
     if (status)
         return status;
     keep_poles(s);
-    return write_poles(s, count, count_expected(s, all_of_one), poles);
+    const size_t expected = count_expected(s, all_of_one);
+    status = search_boxes(s, expected);
+    return status ? status : write_poles(s, count, expected, poles);
 }
 
 int fvi_poles_find(fvi_response *r, size_t count, fvi_poles *poles,

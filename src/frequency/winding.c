@@ -71,3 +71,19 @@ int fvi_winding(fvi_phase *phase, const void *params, double step,
     return isnan(sum) ? -1 : (int)lround(sum / (2 * M_PI));
 }
 //< count
+
+int fvi_halve_box(fvi_phase *phase, const void *params, double step, const fvi_log_box *b, fvi_log_box half[2])
+{
+    static const double parts[] = { 0.5137, 0.4321, 0.6173, 0.3719 };
+    const int wide = b->u[1] - b->u[0] > b->v[1] - b->v[0];
+    int first = -1;
+    for (size_t i = 0; first < 0 && i < sizeof parts / sizeof *parts; i++) {
+        half[0] = half[1] = *b;
+        const double *side = wide ? b->u : b->v,
+                     at = side[0] + parts[i] * (side[1] - side[0]);
+        (wide ? half[0].u : half[0].v)[1] = at;
+        (wide ? half[1].u : half[1].v)[0] = at;
+        first = fvi_winding(phase, params, step, &half[0]);
+    }
+    return first;
+}

@@ -21,4 +21,8 @@ typedef double fvi_phase(const void *params, double u, double v);
 int fvi_winding(fvi_phase *phase, const void *params, double step,
                 const fvi_log_box *b);
 
+/* fvi_halve_box -- Cut a box across its longer side, where no zero is. The cut is not in the middle, where a zero may
+ * be because of symmetry. Return how many more zeros than poles are in the first half, or -1. */
+int fvi_halve_box(fvi_phase *phase, const void *params, double step, const fvi_log_box *b, fvi_log_box half[2]);
+
 #endif

@@ -159,7 +159,8 @@ typedef struct {
  * again and follow their poles while the damping grows from 0. For up to 64 unknowns the function finds all poles and
  * keeps the lowest. For more unknowns, and if fewer poles are wanted, it starts from the lowest count + 4 modes. Of the
  * four additional modes it leaves out the last ones whose estimate of |s|, from v^T Z(s) v = 0 with the undamped shape
- * v, is more than a tenth above the largest estimate of the wanted modes.
+ * v, is more than a tenth above the largest estimate of the wanted modes. If the argument principle then counts more
+ * poles than were found, the sector is cut into boxes, and Newton's method starts in the boxes with missing poles.
  *
  * How many poles exist (`expected`). By (30.7) there are d poles if K is positive definite and all orders are below 1.
  * A dashpot or a Maxwell element is allowed beside a power of such an order in the same law. There are d poles as well
