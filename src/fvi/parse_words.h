@@ -46,14 +46,15 @@ int fvi_parse_numbers(const char *field, const char *text, double low,
                       double high, const char *brackets, size_t d,
                       double *values, fvi_error *error);
 
-/* fvi_count_numbers -- Count the numbers of a text for fvi_parse_numbers: the items between commas, or the numbers of
- * "@file". An item is counted even if it is no number.
+/* fvi_parse_list -- Parse a list of any length in the same way: "1,2,3", or all numbers of "@file". The file is read
+ * once, so it may be a pipe.
  *
- *   count  output, at least 1
+ *   count, values  outputs: how many numbers there are, and the numbers. Free them with free, also after an error
  *
- * Returns FVI_SUCCESS; FVI_EFAULT if text or count is NULL; FVI_EINVAL for a file that cannot be read, or that has
- * anything but numbers, or none; FVI_ENOMEM. */
-int fvi_count_numbers(const char *field, const char *text, size_t *count, fvi_error *error);
+ * Returns FVI_SUCCESS; FVI_EFAULT if a pointer is NULL, with no output; FVI_EINVAL for a text or a file that is no
+ * list; FVI_EDOM for a number that is out of the range; FVI_ENOMEM. */
+int fvi_parse_list(const char *field, const char *text, double low, double high, const char *brackets,
+                   size_t *count, double **values, fvi_error *error);
 
 /* fvi_parse_word -- Find the text among `words`, an array that ends with NULL. Its place, from 0, goes to *which. */
 int fvi_parse_word(const char *field, const char *text,

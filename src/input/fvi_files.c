@@ -67,12 +67,25 @@ void fvi_mark_read(const char *option, const char *name)
     marks++;
 }
 
-int fvi_read_numbers(const char *field, const char *text, double low, double high, const char *brackets, size_t d,
-                     double *values, fvi_error *c)
+/* If the text is "@file", record that the file is read. */
+static void mark_list(const char *field, const char *text)
 {
     if (*text == '@')
         fvi_mark_read(strncmp(field, "DATA", 4) == 0 ? "DATA" : field, text + 1);
+}
+
+int fvi_read_numbers(const char *field, const char *text, double low, double high, const char *brackets, size_t d,
+                     double *values, fvi_error *c)
+{
+    mark_list(field, text);
     return fvi_parse_numbers(field, text, low, high, brackets, d, values, c);
+}
+
+int fvi_read_list(const char *field, const char *text, double low, double high, const char *brackets, size_t *count,
+                  double **values, fvi_error *c)
+{
+    mark_list(field, text);
+    return fvi_parse_list(field, text, low, high, brackets, count, values, c);
 }
 
 size_t fvi_marked_files(void)

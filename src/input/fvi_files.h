@@ -17,10 +17,14 @@ int fvi_may_be_ordinary(const char *name);
  * it. `option` is a constant text without dashes, "DATA" for the data of a fit. The last thousand marks are kept. */
 void fvi_mark_read(const char *option, const char *name);
 
-/* fvi_read_numbers -- Read d numbers as fvi_parse_numbers does. If the text is "@file", record that the file is read
- * for the option `field`, or for DATA if field is "DATA: x0" or the like. */
+/* fvi_read_numbers -- Read d numbers as fvi_parse_numbers does.
+ * fvi_read_list -- Read any number of them as fvi_parse_list does.
+ * If the text is "@file", record that the file is read for the option `field`, or for DATA if field is "DATA: x0" or
+ * the like. */
 int fvi_read_numbers(const char *field, const char *text, double low, double high, const char *brackets, size_t d,
                      double *values, fvi_error *c);
+int fvi_read_list(const char *field, const char *text, double low, double high, const char *brackets, size_t *count,
+                  double **values, fvi_error *c);
 
 /* fvi_marked_files -- Return the number of marks that are kept.
  * fvi_marked_file -- Return the name of the i-th file, from 0; NULL if there was no memory for it.

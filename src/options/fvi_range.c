@@ -47,22 +47,11 @@ double fvi_range_value(const fvi_range *a, size_t i)
     return nearest_decimal(v, (4 + 2 * fabs(log(root))) * DBL_EPSILON * fabs(v));
 }
 
-/* Read "V1,V2,...", or "@file" with these numbers. */
-static int read_list(const char *field, const char *list, double low, fvi_range *a, fvi_error *c)
-{
-    const int status = fvi_count_numbers(field, list, &a->count, c);
-    if (status)
-        return status;
-    a->list = malloc(a->count * sizeof *a->list);
-    return a->list ? fvi_read_numbers(field, list, low, INFINITY, "()", a->count, a->list, c)
-                   : fvi_no_memory(c, NULL);
-}
-
 int fvi_word_range(const char *field, const char *shape, const char *text,
                    const char *range, double low, fvi_range *a, fvi_error *c)
 {
     if (!strchr(range, ':'))
-        return read_list(field, range, low, a, c);
+        return fvi_read_list(field, range, low, INFINITY, "()", &a->count, &a->list, c);
     char place[3][40] = { "", "", "" };
     double count = 0;
     int used = 0;

@@ -11,20 +11,26 @@
 
 static const char blank[] = " \t";
 
-int fvi_data_numbers(const char *field, const char *file, size_t most,
-                     double *values, size_t *n, fvi_error *error)
+int fvi_data_numbers(const char *field, const char *file, size_t *n, double **values, fvi_error *error)
 {
     fvi_rows r;
     fvi_rows_kind kind = FVI_ROWS_COMMENT;
+    size_t room = 0;
     int status = fvi_rows_open(&r, field, file, error);
     *n = 0;
+    *values = NULL;
     while (!status && kind != FVI_ROWS_END) {
         status = fvi_rows_next(&r, &kind);
         if (!status && kind == FVI_ROWS_WORDS)
             status = fvi_rows_refuse(&r, 0, FVI_ROWS_NO_NUMBER);
-        for (size_t i = 0; !status && i < r.count; i++, ++*n)
-            if (*n < most)
-                values[*n] = r.values[i];
+        if (!status && *n + r.count > room) {
+            room = 2 * (*n + r.count);
+            double *more = realloc(*values, room * sizeof *more);
+            status = more ? FVI_SUCCESS : fvi_no_memory(error, field);
+            *values = more ? more : *values;
+        }
+        for (size_t i = 0; !status && i < r.count; i++)
+            (*values)[(*n)++] = r.values[i];
     }
     fvi_rows_close(&r);
     return status;

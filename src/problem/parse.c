@@ -11,6 +11,7 @@
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
@@ -90,6 +91,19 @@ static size_t scan_numbers(const char *text, size_t d, double *values)
     }
 }
 
+/* Refuse a number that is out of the range. */
+static int check_range(const char *field, double low, double high, const char *brackets, size_t d,
+                       const double *values, fvi_error *error)
+{
+    char wrong[32];
+    for (size_t j = 0; j < d; j++)
+        if (!is_within(values[j], low, high, brackets)) {
+            fvi_format_double(values[j], wrong);
+            return fvi_at_index(error, j, refuse_outside(field, wrong, values[j], low, high, brackets, error));
+        }
+    return FVI_SUCCESS;
+}
+
 int fvi_parse_numbers(const char *field, const char *text, double low,
                       double high, const char *brackets, size_t d,
                       double *values, fvi_error *error)
@@ -98,7 +112,11 @@ int fvi_parse_numbers(const char *field, const char *text, double low,
     if (!text || !brackets || !values)
         return fvi_fail(error, FVI_EFAULT, field, NAN, "null pointer");
     if (*text == '@') {
-        int status = fvi_data_numbers(field, text + 1, d, values, &n, error);
+        double *all;
+        const int status = fvi_data_numbers(field, text + 1, &n, &all, error);
+        for (size_t j = 0; j < n && j < d; j++)
+            values[j] = all[j];
+        free(all);
         if (status)
             return status;
     } else {
@@ -112,27 +130,27 @@ int fvi_parse_numbers(const char *field, const char *text, double low,
     if (n != 1 && n != d)
         return fvi_fail(error, FVI_EINVAL, field, (double)n, "'%s' has %zu numbers, not %s%zu", text, n,
                         d > 1 ? "1 or " : "", d);
-    char wrong[32];
-    for (size_t j = 0; j < d; j++)
-        if (!is_within(values[j], low, high, brackets)) {
-            fvi_format_double(values[j], wrong);
-            return fvi_at_index(error, j, refuse_outside(field, wrong, values[j], low, high, brackets, error));
-        }
-    return FVI_SUCCESS;
+    return check_range(field, low, high, brackets, d, values, error);
 }
 
-int fvi_count_numbers(const char *field, const char *text, size_t *count, fvi_error *error)
+int fvi_parse_list(const char *field, const char *text, double low, double high, const char *brackets,
+                   size_t *count, double **values, fvi_error *error)
 {
-    if (!text || !count)
+    if (!text || !brackets || !count || !values)
         return fvi_fail(error, FVI_EFAULT, field, NAN, "null pointer");
-    *count = 1;
+    *values = NULL;
     if (*text == '@') {
-        const int status = fvi_data_numbers(field, text + 1, 0, NULL, count, error);
-        return status || *count ? status : fvi_refuse(error, field, "'%s' has no numbers", text);
+        const int status = fvi_data_numbers(field, text + 1, count, values, error);
+        if (!status && *count == 0)
+            return fvi_refuse(error, field, "'%s' has no numbers", text);
+        return status ? status : check_range(field, low, high, brackets, *count, *values, error);
     }
-    for (; *text; text++)
-        *count += *text == ',';
-    return FVI_SUCCESS;
+    *count = 1;
+    for (const char *at = text; *at; at++)
+        *count += *at == ',';
+    *values = malloc(*count * sizeof **values);
+    return *values ? fvi_parse_numbers(field, text, low, high, brackets, *count, *values, error)
+                   : fvi_no_memory(error, field);
 }
 
 int fvi_scan_call(const char *text, const char *word, int count, double *p)

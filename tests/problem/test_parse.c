@@ -63,10 +63,16 @@ START_TEST(an_error_says_field_value_index_and_text)
     fvi_parse_numbers("x0", "1,-2,3", 0, INFINITY, "[)", 3, x0, &error);
     expect(FVI_EDOM, "x0", "'-2' is outside [0, inf)");
     ck_assert(error.value == -2 && error.index == 1);
-    ck_assert(fvi_count_numbers("x0", "1,-2,", &which, &error) == FVI_SUCCESS && which == 3);
-    ck_assert_int_eq(fvi_count_numbers("x0", "@/dev/null", &which, &error), FVI_EINVAL);
+    double *list;
+    ck_assert_int_eq(fvi_parse_list("x0", "1,-2,3", -9, 9, "[]", &which, &list, &error), FVI_SUCCESS);
+    ck_assert(which == 3 && list[1] == -2);
+    free(list);
+    ck_assert_int_eq(fvi_parse_list("x0", "1,-2,3", 0, 9, "[]", &which, &list, &error), FVI_EDOM);
+    free(list);
+    ck_assert_int_eq(fvi_parse_list("x0", "@/dev/null", 0, 9, "[]", &which, &list, &error), FVI_EINVAL);
     expect(FVI_EINVAL, "x0", "'@/dev/null' has no numbers");
-    ck_assert_int_eq(fvi_count_numbers("x0", NULL, &which, &error), FVI_EFAULT);
+    free(list);
+    ck_assert_int_eq(fvi_parse_list("x0", NULL, 0, 9, "[]", &which, &list, &error), FVI_EFAULT);
     fvi_parse_damping("zener:1,0.3,2 + power:1,1.5", NULL, &damping,
                       &error);
     expect(FVI_EDOM, "damping",

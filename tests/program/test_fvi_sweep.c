@@ -163,7 +163,7 @@ END_TEST
 START_TEST(values_of_a_file_are_varied)
 {
     static const double rho[] = { 0.3, 2, 0.1 };
-    ck_assert_int_eq(shell("printf '# rho\\n0.3 2\\n0.1\\n' > values; : > blank; printf '1,x' > bad"), 0);
+    ck_assert_int_eq(shell("printf '# rho\\n0.3 2\\n0.1\\n' > values; : > blank; printf '1,x' > bad; echo 1 0 > zero"), 0);
     ck_assert_int_eq(fvi("sweep --vary rho=@values --columns x --steps 3"), 0);
     ck_assert_uint_eq(count_rows(), 3);
     for (size_t k = 0; k < 3; k++)
@@ -171,6 +171,11 @@ START_TEST(values_of_a_file_are_varied)
     ck_assert_ptr_nonnull(strstr(out, "# vary = rho=@values\n"));
     ck_assert_int_eq(fvi("response --omega @values --format csv"), 0);
     ck_assert(strstr(out, "\n0.3,") && strstr(out, "\n2,") && strstr(out, "\n0.1,"));
+    static char lines[sizeof out];
+    strcpy(lines, out);
+    ck_assert_int_eq(shell("cat values | $FVI response --omega @/dev/stdin --format csv"), 0);
+    ck_assert_str_eq(out, lines); /* a pipe can be read only once */
+    ck_assert_refused("response --omega @zero", "fvi: --omega: '0' is outside (0, inf)");
     ck_assert_refused("sweep --vary rho=@blank", "fvi: --vary: '@blank' has no numbers");
     ck_assert_refused("sweep --vary rho=@bad", "fvi: --vary: bad:1:3: not a finite decimal number");
     ck_assert_refused("sweep --vary rho=@void", "fvi: --vary: cannot read 'void': No such file or directory");
