@@ -283,7 +283,7 @@ static int print_plan(request *r, const fvi_own_command *command)
 
 static int has_option(int argc, char **argv, const char *name)
 {
-    for (int i = 2; i < argc; i++)
+    for (int i = 2; i < argc && strcmp(argv[i], "--") != 0; i++)
         if (fvi_word_is_option(argv[i], name))
             return 1;
     return 0;
@@ -295,7 +295,7 @@ static int has_option(int argc, char **argv, const char *name)
 static int check_words_of_material(int argc, char **argv, fvi_error *c)
 {
     static const char *const names[] = { "law", "weights" };
-    for (int i = 2; i < argc; i++)
+    for (int i = 2; i < argc && strcmp(argv[i], "--") != 0; i++)
         for (size_t n = 0; n < sizeof names / sizeof *names; n++)
             if (fvi_word_is_option(argv[i], names[n]))
                 return fvi_refuse(c, names[n], "goes with --moduli, --creep or --relaxation alone");

@@ -76,13 +76,17 @@ static int read_operand(sorter *s, const char *word)
 
 static int sort_words(sorter *s, int argc, char **argv)
 {
-    int status = 0;
+    int status = 0, is_after_end = 0; /* after --, which ends the options */
     for (int i = 2; i < argc && !status; i++) {
         char *word = argv[i], *equals = strchr(word, '=');
         const int own = index_of(word, s->command->own),
                   is_output = strncmp(word, "-o", 2) == 0;
         const option_index of_run = is_output ? OUTPUT : fvi_option_named(word);
-        if (s->command->flag && strncmp(word, "--", 2) == 0
+        if (is_after_end) {
+            status = read_operand(s, word);
+        } else if (strcmp(word, "--") == 0) {
+            is_after_end = 1;
+        } else if (s->command->flag && strncmp(word, "--", 2) == 0
             && strcmp(word + 2, s->command->flag) == 0) {
             s->w->flag = 1;
         } else if (own >= 0) {

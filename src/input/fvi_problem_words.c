@@ -1,5 +1,5 @@
 /* src/input/fvi_problem_words.c -- Read options of the command line from a file. */
-#define _GNU_SOURCE /* for getline and asprintf */
+#define _GNU_SOURCE /* for asprintf */
 #include "fvi_problem_words.h"
 #include "fvi_files.h"
 
@@ -84,22 +84,47 @@ static char *skip_byte_order_mark(char *line)
     return strncmp(line, "\xef\xbb\xbf", 3) == 0 ? line + 3 : line;
 }
 
+/* Read a line without its end; *found becomes 0 if there is none. A NUL byte ends the reading at once, because a device
+ * may give NUL bytes for ever. Return 0, FVI_EINVAL after a NUL byte, or FVI_ENOMEM. */
+static int read_line(FILE *f, char **line, size_t *room, int *found)
+{
+    size_t n = 0;
+    int byte;
+    while ((byte = getc(f)) != EOF && byte != '\n' && byte != '\0') {
+        if (n + 2 > *room) {
+            char *more = realloc(*line, 2 * *room + 256);
+            if (!more)
+                return FVI_ENOMEM;
+            *line = more;
+            *room = 2 * *room + 256;
+        }
+        (*line)[n++] = (char)byte;
+    }
+    *found = n > 0 || byte == '\n';
+    if (n > 0)
+        (*line)[n] = '\0';
+    else if (*line)
+        **line = '\0';
+    return byte == '\0' ? FVI_EINVAL : 0;
+}
+
 static int read_problem_file(list *l, const char *name, fvi_error *error)
 {
     FILE *f = fopen(name, "r");
     char *line = NULL;
     size_t room = 0, number = 0;
-    ssize_t length;
-    int status = 0;
+    int status = 0, found = 1;
     if (!f)
         return fvi_refuse(error, "problem", "cannot read '%s': %s", name, strerror(errno));
     fvi_mark_read("problem", name);
     errno = 0;
-    while (!status && (length = getline(&line, &room, f)) >= 0) {
+    while (!status && found) {
         number++;
-        if (memchr(line, '\0', (size_t)length))
-            status = fvi_refuse(error, "problem", "%s, line %zu: a NUL byte", name, number);
-        else
+        status = read_line(f, &line, &room, &found);
+        if (status)
+            status = status == FVI_ENOMEM ? fvi_no_memory(error, "problem")
+                                          : fvi_refuse(error, "problem", "%s, line %zu: a NUL byte", name, number);
+        else if (found && line)
             status = parse_line(l, name, number, number == 1 ? skip_byte_order_mark(line) : line, error);
     }
     if (!status && ferror(f))

@@ -190,7 +190,7 @@ int fvi_options_parse(int argc, char **argv, fvi_options *o, fvi_error *c)
         status = command_of(argv[2], &o->about, c);
     if (!status
         && o->command >= FVI_COMMAND_SWEEP) { /* its options: see src/command_sweep and so on */
-        for (int i = 2; i < argc; i++)
+        for (int i = 2; i < argc && strcmp(argv[i], "--") != 0; i++)
             if (is_help(argv[i])) {
                 o->about = o->command;
                 o->command = FVI_COMMAND_HELP;

@@ -81,6 +81,8 @@ static int check_damping(const fvi_options *o, fvi_error *c)
 static int read_system(fvi_options *o, fvi_error *c)
 {
     const fvi_option_values *dampers = fvi_dampers_typed(o);
+    if (!*o->text[SYSTEM]) /* otherwise the folder would be / */
+        return fvi_refuse(c, "system", "'' is not a folder's name");
     const int status =
         fvi_directory_open_dampers(o->text[SYSTEM], dampers->count, dampers->value,
                                    &o->lets, &o->directory, c);

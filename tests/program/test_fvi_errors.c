@@ -9,7 +9,7 @@ START_TEST(bad_use_is_refused)
 {
     /* one command line after another, parted by semicolons */
     static char lines[] =
-        ";walk;run walk;run -- x;--alpha 1;-x;run -x;run --bogus 1;"
+        ";walk;run walk;run -- x;gradient -- x;poles -- --count=1;run --system '';--alpha 1;-x;run -x;run --bogus 1;"
         "run --alp 0.5;run --alpha;run --help=1;methods --alpha 0.5;"
         "run --count 3;coefficients --steps 3;coefficients --count 0;"
         "coefficients --alpha 2.1;coefficients --count 9007199254740993;"

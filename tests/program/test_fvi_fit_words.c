@@ -71,7 +71,11 @@ static const char *const refused[][2] = {
     { "fit short.tsv", "short.tsv:2" },
     { "fit early.tsv", "before 0" },
     { "fit empty.tsv", "no rows" },
-    { "fit few.tsv", "not enough" }
+    { "fit few.tsv", "not enough" },
+    { "fit -few.tsv", "-few.tsv: no such option" },
+    { "fit -- -few.tsv", "DATA: -few.tsv: 2 rows are not enough" },
+    { "fit -- -h", "DATA: cannot read '-h'" },
+    { "fit -- --design", "DATA: cannot read '--design'" }
 };
 
 START_TEST(fit_refuses_words_and_tables)
@@ -84,6 +88,7 @@ START_TEST(fit_refuses_words_and_tables)
     write_file("early.tsv", "-1 2\n2 3\n3 4\n4 5\n");
     write_file("empty.tsv", "# t x\n");
     write_file("few.tsv", "1 2\n2 3\n");
+    write_file("-few.tsv", "1 2\n2 3\n");
     for (size_t i = 0; i < LEN(refused); i++) {
         ck_assert_msg(fvi(refused[i][0]) == 2, "%s: %s", refused[i][0], err);
         ck_assert_msg(strstr(err, refused[i][1]), "%s: %s", refused[i][0], err);

@@ -192,6 +192,18 @@ START_TEST(completions_are_what_the_program_says)
 }
 END_TEST
 
+/* As elsewhere in a shell; behind them a word is no option, and here none is expected. */
+START_TEST(two_dashes_end_the_options_of_each_command)
+{
+    static const char *const lines[] = { "run --steps 2 --", "exact --steps 2 --", "coefficients --", "methods --",
+                                         "gradient --steps 2 --", "poles --", "response --omega 1 --",
+                                         "sweep --vary rho=1,2 --steps 2 --", "fit --design --fit rho --sigma 1 --" };
+    for (size_t i = 0; i < LEN(lines); i++)
+        ck_assert_msg(fvi(lines[i]) == 0 && *err == '\0' && *out, "%s: %s", lines[i], err);
+    ck_assert_refused("gradient -- --steps=2", "fvi: '--steps=2': not expected here");
+}
+END_TEST
+
 int main(void)
 {
     char *sources = realpath("src", NULL);
@@ -200,6 +212,7 @@ int main(void)
     Suite *suite = suite_create("the program fvi: help, manual, completions");
     ADD_CASE(suite, "help", help_and_manual_know_every_method, manual_completions_and_python_know_every_law,
              help_is_asked_for_in_many_ways,
+             two_dashes_end_the_options_of_each_command,
              a_help_lists_what_its_command_takes,
              completions_are_what_the_program_says);
     return run_suite_of_program(suite);

@@ -92,6 +92,7 @@ START_TEST(a_bad_file_is_refused)
     write_file("bad", "steps 3\n");
     ck_assert_refused("run --problem bad -o bad",
                       "fvi: -o: 'bad' is the file of --problem, too");
+    ck_assert_refused("run --problem /dev/zero", "fvi: --problem: /dev/zero, line 1: a NUL byte");
 }
 END_TEST
 

@@ -163,7 +163,8 @@ END_TEST
 START_TEST(values_of_a_file_are_varied)
 {
     static const double rho[] = { 0.3, 2, 0.1 };
-    ck_assert_int_eq(shell("printf '# rho\\n0.3 2\\n0.1\\n' > values; : > blank; printf '1,x' > bad; echo 1 0 > zero"), 0);
+    ck_assert_int_eq(shell("printf '# rho\\n0.3 2\\n0.1\\n' > values; : > blank;"
+                           "printf '1,x' > bad; echo 1 0 > zero"), 0);
     ck_assert_int_eq(fvi("sweep --vary rho=@values --columns x --steps 3"), 0);
     ck_assert_uint_eq(count_rows(), 3);
     for (size_t k = 0; k < 3; k++)
