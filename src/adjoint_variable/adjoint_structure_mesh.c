@@ -344,7 +344,7 @@ static int end(fvi_adjoint_structure_mesh_run *m)
 int fvi_adjoint_structure_mesh(const fvi_run *run, const fvi_objective *J, const fvi_sensitivities *want)
 {
     fvi_adjoint_structure_mesh_run m = { .run = run, .J = J, .want = want, .d = run->system->d };
-    int status = fvi_recorded_steps_run(run, 0, &m.path);
+    int status = fvi_recorded_steps_run(run, want->x0 != NULL, &m.path);
     if (!status)
         status = start(&m);
     for (size_t n = m.path.steps; !status && n-- > 0;)

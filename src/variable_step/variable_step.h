@@ -121,7 +121,8 @@ typedef struct {
     struct fvi_mesh_structure *structure; /* variable_structure.h; NULL: the system has no matrices */
     struct fvi_mesh_mechanism *mechanism; /* variable_mechanism.h; NULL: the system has no mechanism */
     fvi_singular singular;
-    int for_adjoint; /* nonzero: a start with amplitude A = 0 has a singular part, too, for a derivative by A */
+    int for_adjoint; /* nonzero: a start with amplitude A = 0 has a singular part, too, for a derivative by A; with
+                        matrices it has short steps */
     /* the state at t, with compensated sums; y is x without its singular part */
     double *y, *y_compensation, *v, *v_compensation, t, t_compensation; /* at the end of the last step */
     double *impulse_dv; /* the jump of v by the impulses at t */
@@ -192,7 +193,8 @@ int fvi_variable_step_apply_impulses(fvi_stepper *s, fvi_variable_step_state *o)
 
 /* fvi_variable_step_start_for_adjoint -- start a run without events like fvi_variable_step_start. But a start has a
  * singular part, and a step ends at t1, also if the amplitude A of the initial history of every damped coordinate is 0.
- * A derivative by A needs this. */
+ * A structure whose dampers are not stretched at the start takes steps as short as if they were. A derivative by A
+ * needs this. */
 int fvi_variable_step_start_for_adjoint(fvi_stepper *s);
 
 /* fvi_variable_step_stage_time -- return the time of stage i of a step from t, of length h. The first and the last

@@ -146,7 +146,8 @@ double fvi_structure_mesh_shortest(const fvi_stepper *s, const fvi_variable_step
                   jumps = of->of.growth > 1 && moves
                           && (s->run.system->force.impulse_count > 0
                               || of->of.past != FVI_INITIAL_HISTORY_CAPUTO),
-                  starts_with_jump = fvi_structure_mesh_starts_with_jump(&of->of) && largest_abs(o->d, s->x) > 0;
+                  starts_with_jump = fvi_structure_mesh_starts_with_jump(&of->of)
+                                     && (o->for_adjoint || largest_abs(o->d, s->x) > 0);
         const double power = jumps       ? 2 - of->of.growth
                              : starts_with_jump ? 1 - of->of.growth
                                          : INFINITY;

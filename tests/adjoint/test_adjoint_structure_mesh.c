@@ -112,6 +112,30 @@ START_TEST(eq_23_16_a_structure_on_its_mesh)
 }
 END_TEST
 
+/* With Riemann and Liouville's past a start at 0 stretches no damper, but a start beside it does, and its force is
+ * without bound at t = 0. So the derivative by x0 needs first steps as short as a start beside 0 takes them. */
+START_TEST(eq_23_16_a_start_at_0_has_the_derivative_of_a_stretched_one)
+{
+    static const double zeros[D];
+    const double orders[DAMPERS] = { 0.3, 0.05, 0.4 };
+    const fvi_initial_history past[DAMPERS] = { FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE, FVI_INITIAL_HISTORY_HELD,
+                                                FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE };
+    damped_structure several;
+    matrices m;
+    tridiagonal(D, 1, 0.2, &m.M);
+    tridiagonal(D, 3, -1.4, &m.K);
+    tridiagonal(D, 0.5, 0.15, &m.C);
+    make(&m);
+    fvi_run run = run_of(&m.system, 0.4, 1. / 8, N, zeros, start_p0);
+    run.past = FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
+    ck_assert_same(run, 0, 1, 1e-11);
+    drop(&m);
+    make_damped(&several, orders, past, 0);
+    ck_assert_same(run_of(&several.system, 0.5, 1. / 8, N, zeros, start_p0), 0, DAMPERS, 1e-11);
+    drop_damped(&several);
+}
+END_TEST
+
 /* A law of one term, whose factor is asked for, and impulses at rows and between them, of which fine steps have the
  * second at a node, too. */
 START_TEST(eq_23_16_a_law_and_impulses_on_a_mesh)
@@ -192,6 +216,7 @@ int main(void)
 {
     Suite *suite = suite_create("adjoint, structures on a mesh");
     ADD_CASE(suite, "mesh", eq_23_16_a_structure_on_its_mesh, eq_23_16_several_dampers_on_a_mesh,
+             eq_23_16_a_start_at_0_has_the_derivative_of_a_stretched_one,
              eq_23_16_a_law_and_impulses_on_a_mesh, what_a_mesh_of_a_structure_has_no_derivative_by);
     return run_suite(suite);
 }
