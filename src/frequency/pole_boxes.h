@@ -8,6 +8,7 @@
 /* Poles, each once, and room for more. Each candidate has room for its shape. */
 typedef struct {
     size_t count, room;
+    uint64_t seed; /* of the next start */
     fvi_pole_candidate *candidate;
 } fvi_pole_list;
 

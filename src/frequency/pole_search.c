@@ -225,13 +225,12 @@ int fvi_pole_newton(fvi_response *r, fvi_pole_candidate *p)
 }
 
 /* Two steps of inverse iteration turn the random numbers toward the shape. */
-int fvi_pole_newton_from(fvi_response *r, fvi_pole_candidate *p)
+int fvi_pole_newton_from(fvi_response *r, fvi_pole_candidate *p, uint64_t *seed)
 {
     double complex *room = malloc((r->d + r->terms) * sizeof *room);
-    uint64_t seed = 1;
     int status = room ? FVI_SUCCESS : FVI_ENOMEM;
     for (size_t i = 0; i < r->d; i++)
-        p->v[i] = fvi_seeded_uniform(&seed, -1, 1);
+        p->v[i] = fvi_seeded_uniform(seed, -1, 1);
     for (int i = 0; !status && i < 2; i++)
         status = update_shape(r, &p->s, p->v, room);
     if (!status)

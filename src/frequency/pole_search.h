@@ -4,6 +4,8 @@
 
 #include "dynamic_stiffness.h"
 
+#include <stdint.h>
+
 /* A candidate for a pole: s, the shape v (d numbers), the residual as in fvi_poles, and |Z v| divided by the sum of the
  * norms of its terms. The last number is near 1 if nothing cancels, for example near s = 0. */
 typedef struct {
@@ -26,9 +28,10 @@ int fvi_pole_is_same(size_t d, const fvi_pole_candidate *a, const fvi_pole_candi
  * Return FVI_SUCCESS, whether a pole is found or not; or FVI_ENOMEM. */
 int fvi_pole_newton(fvi_response *response, fvi_pole_candidate *p);
 
-/* fvi_pole_newton_from -- Find a pole near s alone. The shape begins as numbers that look random.
+/* fvi_pole_newton_from -- Find a pole near s alone. The shape begins as numbers that look random and follow from *seed,
+ * which changes. So the next call may end at another shape of the pole.
  * Return as fvi_pole_newton. */
-int fvi_pole_newton_from(fvi_response *response, fvi_pole_candidate *p);
+int fvi_pole_newton_from(fvi_response *response, fvi_pole_candidate *p, uint64_t *seed);
 
 /* fvi_pole_start -- Return s for an undamped mode v with its lambda: i sqrt(lambda). If lambda is not positive, return
  * i times the frequency at which inertia and damping are equal, or 0 if there is none. `form` has room for a number for

@@ -5,6 +5,7 @@
 #include "pole_search.h"
 #include "undamped_modes.h"
 
+#include "matrices/sparse.h"
 #include "system/larger.h"
 
 #include <math.h>
@@ -243,6 +244,20 @@ static void normalise(search *s, double complex *room)
     }
 }
 
+/* Return u >= high, so that above e^u inertia is larger than springs and dampings, whose poles are below. A strong
+ * damper may have poles far above all undamped frequencies. The search ends after 60 steps, because damping of order 2
+ * is a mass. */
+static double end_of_stiffness(const fvi_response *r, double high)
+{
+    const fvi_stiffness_term *M = &r->term[0];
+    double least = INFINITY, u = high;
+    for (size_t i = 0; i < r->d; i++)
+        least = smaller(least, fvi_sparse_entry(M->matrix, i, i));
+    while (u < high + 60 && fvi_stiffness_norm(r, I * exp(u)) > exp(2 * u) * (M->norm + 0.1 * least))
+        u += 1;
+    return u;
+}
+
 /* Return how many poles there are: by the theorem, by (26.11), or counted. */
 static size_t count_expected(search *s, int all_of_one)
 {
@@ -252,6 +267,7 @@ static size_t count_expected(search *s, int all_of_one)
         return s->count;
     for (size_t k = 0; k < s->count; k++)
         extend_range(s, cabs(s->candidate[k].s));
+    s->high = end_of_stiffness(s->response, s->high);
     return s->low <= s->high ? fvi_poles_counted(s->response, s->low - FOLDS, s->high + FOLDS) : 0;
 }
 
@@ -293,7 +309,7 @@ static void round_modes(const fvi_response *r, size_t n, double *lambda)
 /* If poles are missing, search for them where they are counted. By the theorem the paths of search_again find all. */
 static int search_boxes(search *s, size_t expected)
 {
-    fvi_pole_list list = { .count = s->count, .room = s->room, .candidate = s->candidate };
+    fvi_pole_list list = { .count = s->count, .room = s->room, .seed = 1, .candidate = s->candidate };
     const fvi_log_box all = { { s->low - FOLDS, s->high + FOLDS }, { 1.5, FVI_NEARLY_REAL } };
     if (s->all_are_there || expected == SIZE_MAX || s->count >= expected)
         return FVI_SUCCESS;
@@ -322,7 +338,10 @@ static int find_poles(search *s, size_t count, fvi_poles *poles)
     keep_poles(s);
     const size_t expected = count_expected(s, all_of_one);
     status = search_boxes(s, expected);
-    return status ? status : write_poles(s, count, expected, poles);
+    if (status)
+        return status;
+    /* If there are more than were counted, rounding errors have turned the phase of det Z. */
+    return write_poles(s, count, s->count > expected ? SIZE_MAX : expected, poles);
 }
 
 int fvi_poles_find(fvi_response *r, size_t count, fvi_poles *poles,
