@@ -170,7 +170,7 @@ refs: | needs ## accept new reference values into tests/
 	$(PYTHON) src/make/prove.py $B --accept $(PROOFS)
 
 san: ## the tests under AddressSanitizer and UBSan
-	CPATH='$(CURDIR)/src' ASAN_OPTIONS=allocator_may_return_null=1 $(MAKE) B=$B/san CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all' test
+	CPATH='$(CURDIR)/src' ASAN_OPTIONS=allocator_may_return_null=1 CK_TIMEOUT_MULTIPLIER=5 $(MAKE) B=$B/san CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all' test
 
 fuzz: ## random command lines and files under the sanitizers, minutes (SEED=1 CASE=7)
 	$(MAKE) B=$B/san CFLAGS='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all' $B/san/fuzz
