@@ -1,7 +1,6 @@
 /* src/command_shared/fvi_run_start.c -- Say why a run could not begin, with the names of its options. */
 #include "fvi_run_start.h"
 
-#include "options/fvi_option_columns.h"
 #include "output/fvi_complain.h"
 
 #include <math.h>
@@ -15,8 +14,6 @@ static const char *option_of(const fvi_options *o, const char *field)
         { "law", "damping" },  { "past", "derivative" },       { "impulses", "force" },
         { "events", "event" }, { "step_error", "step-error" }, { "matrices", "system" }
     };
-    if (strcmp(field, "observer") == 0)
-        return o->text[REDUCE] ? "reduce" : "columns";
     if (strcmp(field, "T") == 0)
         return o->text[TIME] ? "time" : "h";
     if (strcmp(field, "damper") == 0 && !o->text[DAMPER])
@@ -46,16 +43,12 @@ static void name_option(const fvi_options *o, fvi_error *error)
 void fvi_reason_of_start(const fvi_options *o, const fvi_run *r, int status, fvi_error *error)
 {
     fvi_stepper *s = NULL;
-    fvi_observer *observer = NULL;
     fvi_run run = *r;
     run.failure = error;
     *error = (fvi_error){ 0 };
     int again = fvi_stepper_start(o->method, &run, &s, error);
-    if (!again && fvi_options_needs_stepper(o))
-        again = fvi_observer_start(s, fvi_typed_columns_wanted(o->typed), &observer, error);
     while (!again && status == FVI_EBADFUNC && s->k < r->steps)
         again = fvi_stepper_step(s);
-    fvi_observer_free(observer);
     fvi_stepper_free(s);
     if (again != status)
         fvi_fail(error, status, NULL, NAN, "%s", fvi_error_name(status));

@@ -15,9 +15,9 @@ int fvi_complain_of_start(const fvi_options *o, const fvi_error *error, const ch
  * refers to one. It is valid until the next call. */
 const char *fvi_reason_of_code(const fvi_options *o, const fvi_error *error);
 
-/* fvi_reason_of_start -- Find out why a run or its observer could not begin, given only the status. To find out, both
- * are started once more; and for FVI_EBADFUNC the steps are repeated up to the one that failed. The field of the error
- * is the name of an option, or NULL if nothing more is known or a step failed. */
+/* fvi_reason_of_start -- Find out why a run could not begin, given only the status. To find out, it is started once
+ * more; and for FVI_EBADFUNC the steps are repeated up to the one that failed. The field of the error is the name of an
+ * option, or NULL if nothing more is known, the run began, or a step failed. */
 void fvi_reason_of_start(const fvi_options *o, const fvi_run *r, int status, fvi_error *error);
 
 #endif

@@ -184,7 +184,7 @@ START_TEST(dampers_of_a_folder_that_are_none_are_refused)
 END_TEST
 
 /* What fvi-adaptive does not take of matrices is named alone, with the option that asks for it. */
-START_TEST(of_three_things_the_one_that_fvi_adaptive_does_not_take_is_said)
+START_TEST(a_damping_that_fvi_adaptive_does_not_take_is_named_with_its_option)
 {
 #define ADAPTIVE "run --system chain --method fvi-adaptive --steps 3 --x0 1 "
     static const char *const of_mass = "a damping of order 2 is a mass: fvi-lobatto2d to 8d take it "
@@ -226,6 +226,6 @@ int main(void)
     ADD_CASE(suite, "errors", bad_folders_are_refused_with_file_and_line,
              what_a_system_replaces_or_no_method_takes_is_refused,
              dampers_of_a_folder_that_are_none_are_refused,
-             of_three_things_the_one_that_fvi_adaptive_does_not_take_is_said);
+             a_damping_that_fvi_adaptive_does_not_take_is_named_with_its_option);
     return run_suite_of_program(suite);
 }
