@@ -43,18 +43,19 @@ typedef struct {
     double *curve;
 } request;
 
-static int test_of(int argc, char **argv)
+/* Return the first test that is asked for, but for the test `other`; -1 if there is none. */
+static int test_of(int argc, char **argv, int other)
 {
-    for (int i = 2; i < argc; i++)
+    for (int i = 2; i < argc && strcmp(argv[i], "--") != 0; i++)
         for (int k = 0; k < TESTS; k++)
-            if (strncmp(argv[i], "--", 2) == 0 && strcmp(argv[i] + 2, tests[k].option) == 0)
+            if (k != other && strncmp(argv[i], "--", 2) == 0 && strcmp(argv[i] + 2, tests[k].option) == 0)
                 return k;
     return -1;
 }
 
 int fvi_fit_is_material(int argc, char **argv)
 {
-    return test_of(argc, argv) >= 0;
+    return test_of(argc, argv, -1) >= 0;
 }
 
 /* ---- what is asked for ---- */
@@ -373,7 +374,7 @@ static int fit_data(const request *r, fvi_material *m, fvi_error *c)
 
 int fvi_fit_material(int argc, char **argv)
 {
-    const int test = test_of(argc, argv);
+    const int test = test_of(argc, argv, -1), second = test_of(argc, argv, test);
     const fvi_own_command command = { .name = "fit",
                                       .own = { "law", "weights", "sigma", "starts", "curve" },
                                       .with = of_run,
@@ -382,7 +383,8 @@ int fvi_fit_material(int argc, char **argv)
     fvi_error error, *c = &error;
     fvi_material m;
     request r = { .data = { .test = (fvi_material_test)test } };
-    int status = fvi_subcommand_options_parse(&command, argc, argv, &r.words, &r.o, c);
+    int status = second < 0 ? fvi_subcommand_options_parse(&command, argc, argv, &r.words, &r.o, c)
+                            : fvi_refuse(c, tests[second].option, "not together with --%s", tests[test].option);
     if (!status)
         status = interpret(&r, c);
     if (!status)

@@ -96,6 +96,8 @@ START_TEST(fit_reads_moduli_of_many_kinds)
         { "fit --creep", "DATA: a file with the columns t and x" },
         { "fit --moduli --law spring+zenr dma.tsv", "zener" },
         { "fit --moduli --law '' dma.tsv", "--law" },
+        { "fit --moduli dma.tsv --creep", "fvi: --creep: not together with --moduli" },
+        { "fit -- --moduli", "fvi: DATA: cannot read '--moduli'" },
         { "fit --moduli --weights sd dma.tsv", "no line names a column 'sd'" },
         { "fit --moduli --weights a,b,c dma.tsv", "--weights" },
         { "fit --moduli --sigma -1 dma.tsv", "--sigma" },

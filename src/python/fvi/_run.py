@@ -341,7 +341,8 @@ def run(potential: Union[str, Potential] = "harmonic:1", *, columns: str = "t,x,
 
     Raises TypeError and ValueError for what cannot be meant, fvi.Error with the library's code
     for what could not be done, and whatever a function of yours raised. Warns by fvi.Warning of
-    numbers that are not those of a motion: a step that is too long, a past without a solution.
+    numbers that are not those of a motion, by a step that is too long or a past without a solution, and of a memory or
+    a tolerance that the method does not read.
     """
     wanted = word("columns", columns).split(",")
     if not set(wanted) <= {"t", "x", "p", "energy"}:

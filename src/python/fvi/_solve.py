@@ -459,7 +459,8 @@ def solve(problem: Problem, t_eval: Optional[Numbers] = None, error: Optional[fl
                 "x : contact:0.8", "x1 - 2 : stop", or an `Event`; one or several. The Solution has their times, t_events
     checkpoint  the name of a file to which the motion is written, every 10 s and at its end. If it is there, the motion
                 goes on from it: the numbers are those of a run that was never stopped, to the bit; events, too. Not with error
-    memory, tolerance  how the past is summed, "auto", "direct" or "exponentials", and the tolerance of the latter
+    memory, tolerance  how the past is summed, "auto", "direct" or "exponentials", and the tolerance of the latter;
+                a warning says so where the method does not read them
 
     Raises TypeError and ValueError for what cannot be meant; fvi.Error with the library's code for what could not
     be done, its `rows` being the motion until then; what a function of yours raised. Warns by fvi.FviWarning.
