@@ -161,14 +161,11 @@ static int set_mean_start(fvi_observer *o, const fvi_stepper *s)
         status = fvi_observer_step(sums, fork);
     if (!status)
         status = fvi_observer_read_all(sums, fork, h, &now);
-    /* the numbers of a stepper's node are as many as o->start has; an observer gives one number for a damper along a
-     * row */
-    const double *J = s->method->dense || status ? now.impulse : sums->impulse;
     const double *first = o->has_massless ? fvi_short_row(&o->short_rows, 1) : NULL;
     const double *v = first ? first + o->forces : now.v;
     for (size_t j = 0; j < o->forces && !status; j++)
         if (isinf(o->start[j]))
-            o->start[j] = J[j] / h;
+            o->start[j] = now.impulse[j] / h;
     if (!status && o->has_mechanism)
         status = fvi_observer_begin_motion(o, s);
     const int is_known = o->tracked > o->forces && isfinite(o->start[o->forces]);
