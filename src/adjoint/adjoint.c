@@ -59,6 +59,31 @@ static int check_stages(const fvi_method *method, const fvi_run *run, const fvi_
                                     : fvi_wanted_check_stage_laws(run, want);
 }
 
+/* Refuse derivatives by the numbers of a damping that fvi-adaptive does not have. */
+static int check_adaptive(const fvi_run *run, const fvi_sensitivities *want)
+{
+    const int is_one_term = run->law && run->law->count == 1 && run->law->term[0].rho > 0;
+    if (want->orders || want->times || want->ends || (want->terms && !is_one_term))
+        FVI_FAIL("fvi-adaptive has no derivative by the numbers of a law but the factor of one that stands alone; "
+                 "fvi-bdf2, fvi-stable and the methods with stages have",
+                 FVI_EUNSUP);
+    if (want->alpha && (run->alpha == 0 || run->alpha == 1) && fvi_initial_history_acts(run->past, run->alpha))
+        FVI_FAIL("where the initial history acts, a mesh has no derivative by alpha at 0 and at 1", FVI_EUNSUP);
+    return FVI_SUCCESS;
+}
+
+/* Let the method check the run: start a run of one step, which needs no long history. */
+static int check_start(const fvi_method *method, const fvi_run *run)
+{
+    fvi_run one = *run;
+    fvi_stepper *s;
+    one.steps = run->steps > 0;
+    const int status = fvi_stepper_start(method, &one, &s, NULL);
+    if (!status)
+        fvi_stepper_free(s);
+    return status;
+}
+
 static int check(const fvi_method *method, const fvi_run *run, const double *x,
                  const double *p, const fvi_objective *J,
                  const fvi_sensitivities *want)
@@ -101,19 +126,9 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
         && want->alpha && run->alpha == 1)
         FVI_FAIL("at alpha = 1 fvi-lobatto2 to 8 have no derivative by alpha, as p jumps there; "
                  "fvi-lobatto2d to 8d have", FVI_EUNSUP);
-    if (method->scheme == FVI_SCHEME_VARIABLE_STEP
-        && (want->orders || want->times || want->ends
-            || (want->terms
-                && !(run->law && run->law->count == 1 && run->law->term[0].rho > 0))))
-        FVI_FAIL("fvi-adaptive has no derivative by the numbers of a law but the factor of one that stands alone; "
-                 "fvi-bdf2, fvi-stable and the methods with stages have",
-                 FVI_EUNSUP);
-    if (method->scheme == FVI_SCHEME_VARIABLE_STEP && want->alpha
-        && (run->alpha == 0 || run->alpha == 1)
-        && fvi_initial_history_acts(run->past, run->alpha))
-        FVI_FAIL("where the initial history acts, a mesh has no derivative by alpha at 0 "
-                 "and at 1",
-                 FVI_EUNSUP);
+    status = method->scheme == FVI_SCHEME_VARIABLE_STEP ? check_adaptive(run, want) : FVI_SUCCESS;
+    if (status)
+        return status;
     if (!has_known_momenta(method, run, J))
         FVI_FAIL("at alpha = 1 the derivatives of this method are by p_N alone",
                  FVI_EUNSUP);
@@ -121,14 +136,7 @@ static int check(const fvi_method *method, const fvi_run *run, const double *x,
         && !(run->system && run->system->matrices) && !want->sensitivity.column
         && !want->lagrangian)
         FVI_FAIL("derivatives by parameters need a sensitivity", FVI_EINVAL);
-    fvi_stepper
-        *s; /* checks the run; one step needs no long history */
-    fvi_run one = *run;
-    one.steps = run->steps > 0;
-    status = fvi_stepper_start(method, &one, &s, NULL);
-    if (!status)
-        fvi_stepper_free(s);
-    return status;
+    return check_start(method, run);
 }
 
 /* How many rows a step has in the trajectory: its end, and the stages before the end that are kept. */

@@ -82,9 +82,10 @@ static int start_numbers(fvi_adjoint_structure *m, fvi_adjoint_structure_damper 
                                      .orders = m->want->alpha ? m->want->alpha : m->want->orders,
                                      .times = m->want->times,
                                      .ends = m->want->ends };
-    return a->adjoint && !a->adjoint->Ydot ? fvi_stage_terms_start(run, &want, m->s, a->adjoint->r,
-                                               fvi_stage_dampers_tolerance(run), &a->kernel, &a->terms)
-                       : FVI_SUCCESS;
+    return a->adjoint && !a->adjoint->Ydot
+               ? fvi_stage_terms_start(run, &want, m->s, a->adjoint->r, fvi_stage_dampers_tolerance(run), &a->kernel,
+                                       &a->terms)
+               : FVI_SUCCESS;
 }
 
 static int start_damper(fvi_adjoint_structure *m, size_t j)
