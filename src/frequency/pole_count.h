@@ -8,7 +8,7 @@
  * of the cut the symbols of all dampings lie in the same half plane and are not negative. */
 int fvi_poles_by_theorem(const fvi_response *response, double least_lambda);
 
-/* fvi_poles_counted -- Count the zeros of det Z with arg s < 3.14 by the argument principle.  (30.8)
+/* fvi_poles_counted -- Count the zeros of det Z with 1.5 < arg s < 3.14 by the argument principle.  (30.8)
  *
  *   low, high  range of ln |s| in which they are counted
  *

@@ -34,7 +34,7 @@ int fvi_response_warning_of_poles(const fvi_poles *poles, size_t size, char *tex
     if (poles->count == poles->expected && poles->expected >= poles->d)
         return 0;
     if (poles->count == poles->expected)
-        snprintf(text, size, "what creeps or grows without a swing, e^{st} with a real s, is no row");
+        snprintf(text, size, "what creeps or grows, e^{st} with a real s or with Re s > 0, is no row");
     else if (poles->expected == SIZE_MAX)
         snprintf(text, size, "these are %zu of ? poles", poles->count);
     else

@@ -133,10 +133,10 @@ int fvi_response_at(fvi_response *response, fvi_response_kind kind, size_t n,
                     const double *omega, size_t at, size_t by, double *H,
                     fvi_error *error);
 
-/* fvi_poles -- the zeros s_k of det Z with Im s > 0. Their conjugates are poles, too.              [(30.4)]
+/* fvi_poles -- the zeros s_k of det Z with Im s > 0 that do not grow. Their conjugates are poles, too.  [(30.4)]
  *
  *   count     number of poles that were found, in the order of increasing |s|
- *   expected  number of poles that exist; SIZE_MAX: not known
+ *   expected  number of such poles that exist; SIZE_MAX: not known
  *   d         number of unknowns
  *   pole      count complex numbers s_k. The frequency is |s| / 2 pi, the damping ratio -Re s / |s|
  *   shape     for each pole d complex numbers: the shape v, with Z(s) v = 0 and v^T Z'(s) v = 1 (transposed, not
@@ -150,7 +150,7 @@ typedef struct {
     double *pole, *shape, *residual;
 } fvi_poles;
 
-/* fvi_poles_find -- Find the poles with Im s > 0, which oscillate.
+/* fvi_poles_find -- Find the poles with Im s > 0 and Re s <= 0, which oscillate and do not grow.
  *
  *   count  the number of poles wanted, those of lowest |s|, at most FVI_MOST_POLES; 0: all d poles
  *   poles  output; free it with fvi_poles_free
@@ -166,8 +166,8 @@ typedef struct {
  * A dashpot or a Maxwell element is allowed beside a power of such an order in the same law. There are d poles as well
  * if all orders of powers and ranges lie between 1 and 2. Both statements suppose positive semidefinite matrices of the
  * dampers; the function does not check the matrices of dampers.h. In all other cases the argument principle counts the
- * poles with arg s < 3.14 for up to 24 unknowns. It is no error if the function finds fewer poles than exist: compare
- * count with expected.
+ * poles with 1.5 < arg s < 3.14 for up to 24 unknowns. It is no error if the function finds fewer poles than exist:
+ * compare count with expected. A pole that grows slowly, with 1.5 < arg s < pi/2, may be counted, but is not found.
  *
  * Accuracy: seen 1e-15 of |s| for well conditioned Z. Cost: one to four factorisations for each pole, and the undamped
  * modes: O(d^3) up to 256 unknowns or for all modes, else subspace iteration with factors of K.
@@ -190,7 +190,7 @@ void fvi_poles_free(fvi_poles *poles);
  * gradient.
  *
  * fvi_response_warning_of_poles -- Warn if fewer poles were found than exist, if it is not known how many exist, or if
- * all oscillating poles were found and they are fewer than d.
+ * all poles of this kind were found and they are fewer than d.
  *
  *   size, text  room for FVI_WARNING_ROOM characters (warnings.h); untouched if there is no warning
  *

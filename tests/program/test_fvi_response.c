@@ -129,11 +129,33 @@ START_TEST(what_does_not_swing_has_no_poles)
 {
     ck_assert_int_eq(fvi("poles --rho 3"), 0);
     ck_assert_ptr_nonnull(strstr(out, "# poles = 0 of 0\n"));
-    ck_assert_str_eq(err, "fvi: warning: what creeps or grows without a swing, e^{st} with a real "
-                          "s, is no row\n");
+    ck_assert_str_eq(err, "fvi: warning: what creeps or grows, e^{st} with a real s or with Re s > 0, "
+                          "is no row\n");
     ck_assert_int_eq(fvi("response --rho 0 --omega 0.5,1"), 1);
     ck_assert_str_eq(err, "fvi: --omega: at omega = 1 the response is infinite: a mode without "
                           "damping\n");
+}
+END_TEST
+
+/* s^2 - s/2 + 1 = 0 has the poles (1 +- i sqrt(15))/4: a swing that grows. It is no row, nor counted, alone or beside
+ * another body with s^2 + 4 = 0, and the warning does not say that nothing swings. */
+START_TEST(a_growing_swing_is_no_row)
+{
+    static const char *const asked[] = {
+        "poles --damping symbol:-0.5*s",
+        "poles --potential 'x1^2/2+2*x2^2' --damper 'x1 : symbol:-0.5*s'"
+    };
+    for (size_t i = 0; i < 2; i++) {
+        double v[5];
+        ck_assert_int_eq(fvi(asked[i]), 0);
+        ck_assert_str_eq(err, "fvi: warning: what creeps or grows, e^{st} with a real s or with Re s > 0, "
+                              "is no row\n");
+        ck_assert_ptr_nonnull(strstr(out, i ? "# poles = 1 of 1\n" : "# poles = 0 of 0\n"));
+        ck_assert_uint_eq(rows_of_table(5, i, v), i);
+    }
+    double v[5];
+    ck_assert_uint_eq(rows_of_table(5, 1, v), 1);
+    ck_assert_near(v[1], 2, 1e-14, "the other body");
 }
 END_TEST
 
@@ -249,8 +271,8 @@ START_TEST(no_question_is_answered_in_part)
     for (int i = 0; i < 3; i++) {
         snprintf(line, sizeof line, "poles %s", no_swing[i]);
         ck_assert_int_eq(fvi(line), 0);
-        ck_assert_ptr_nonnull(strstr(err, "fvi: warning: what creeps or grows without a swing, "
-                                          "e^{st} with a real s, is no row\n"));
+        ck_assert_ptr_nonnull(strstr(err, "fvi: warning: what creeps or grows, e^{st} with a real s "
+                                          "or with Re s > 0, is no row\n"));
     }
     ck_assert_int_eq(fvi("poles --alpha 0.3"), 0);
     ck_assert_str_eq(err, "");
@@ -321,7 +343,7 @@ int main(void)
     Suite *suite = suite_create("the program fvi: response and poles");
     ADD_CASE(suite, "numbers", responses_are_those_of_the_contract,
              moduli_are_those_of_the_contract, poles_are_those_of_the_contract,
-             what_does_not_swing_has_no_poles, dampers_act_between_points,
+             what_does_not_swing_has_no_poles, a_growing_swing_is_no_row, dampers_act_between_points,
              a_potential_is_linear_at_x0, dampers_have_responses_and_poles);
     ADD_CASE(suite, "words", no_question_is_answered_in_part, bad_questions_are_bad_use,
              tables_have_formats_and_pictures);

@@ -56,7 +56,7 @@ START_TEST(poles_that_are_missing_are_warned_of)
         { 3, 3, 3, "left" },
         { 2, 3, 3, "these are 2 of 3 poles" },
         { 3, SIZE_MAX, 3, "these are 3 of ? poles" },
-        { 1, 1, 3, "what creeps or grows without a swing, e^{st} with a real s, is no row" }
+        { 1, 1, 3, "what creeps or grows, e^{st} with a real s or with Re s > 0, is no row" }
     };
     for (size_t i = 0; i < LEN(cases); i++) {
         char text[FVI_WARNING_ROOM] = "left";

@@ -71,8 +71,8 @@ def response(problem: Problem, omega: Numbers, of: str = "receptance", *, at: in
 
 
 class Poles(NamedTuple):
-    """The free motions exp(s t): `pole`, complex s with Im s > 0, |s| increasing; `frequency` |s|/(2 pi) and `damping`,
-    the ratio -Re s/|s|; `shape`, (n, d) complex, v v^T the residue; `residual` of each; `expected`, how many there are,
+    """The free motions exp(s t): `pole`, complex s with Im s > 0 and Re s <= 0, |s| increasing; `frequency` |s|/(2 pi)
+    and `damping`, the ratio -Re s/|s|; `shape`, (n, d) complex, v v^T the residue; `residual` of each; `expected`, how many there are,
     None if that is not known."""
     pole: Array
     frequency: Array
@@ -84,7 +84,7 @@ class Poles(NamedTuple):
 
 @spelt()
 def poles(problem: Problem, count: int = 0, *, about: Optional[Numbers] = None) -> Poles:
-    """The oscillations of the free motion.
+    """The oscillations of the free motion that do not grow.
 
     problem  made linear; its force is not read
     count    how many of the lowest; 0: all
