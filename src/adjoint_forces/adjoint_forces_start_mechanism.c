@@ -6,7 +6,9 @@
 
 #include <fvi/dampers.h>
 
+#include "mechanism/mechanism_state.h"
 #include "system/dot.h"
+#include "system/fail.h"
 #include "system/lagrangian_point.h"
 
 #include <stdlib.h>
@@ -51,6 +53,19 @@ static int add_names(start *o, size_t j, double jump, double line)
     return status;
 }
 
+/* Refuse the derivative by x_0 through the line of an elongation whose rate changes with the place, because no callback
+ * gives that derivative of the rate. */
+static int check_rate(start *o, const fvi_elongation *of, double line)
+{
+    int is_fixed = 1;
+    const int status = line != 0 && o->want->x0
+                           ? fvi_elongation_rate_is_fixed(of, o->d, o->s->run.x0, o->G, &is_fixed) : FVI_SUCCESS;
+    if (!status && !is_fixed)
+        FVI_FAIL("no derivative by x0 of the force of a damper if the rate of its elongation changes with the place",
+                 FVI_EUNSUP);
+    return status;
+}
+
 /* Add the derivatives of damper j; `jump` and `line` are the derivatives of L by its jump and its line. */
 static int add_damper(start *o, size_t j, double jump, double line)
 {
@@ -59,7 +74,9 @@ static int add_damper(start *o, size_t j, double jump, double line)
     const fvi_elongation *of = &o->s->run.system->mechanism->damper[j].of;
     const double *G = of->row ? of->row : o->G;
     double g = 0, rate = 0;
-    int status = add_names(o, j, jump, line);
+    int status = check_rate(o, of, line);
+    if (!status)
+        status = add_names(o, j, jump, line);
     memset(o->H, 0, d * d * sizeof *o->H);
     if (!status && !of->row)
         status = of->value(0, d, x0, of->params, &g);

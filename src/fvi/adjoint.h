@@ -154,8 +154,9 @@ int fvi_adjoint(const fvi_method *method, const fvi_run *run, const double *x,
  * in the first rows, and their part of the derivative is right to 1e-9 of these rows.
  *
  * Returns what fvi_adjoint, fvi_stepper_start and fvi_observer_start return; FVI_EUNSUP for fvi_variable_step, for a
- * run with events, for matrices without their entries M and K, and for coordinates that are damped one by one
- * at alpha = 1, where the damping is a mass. On error the outputs are of no use. */
+ * run with events, for matrices without their entries M and K, for coordinates that are damped one by one
+ * at alpha = 1, where the damping is a mass, and for derivatives by x0 if they contain the rate g_t(0, x0) of an
+ * elongation and this rate changes with the place. On error the outputs are of no use. */
 int fvi_adjoint_forces(const fvi_method *method, const fvi_run *run, const fvi_objective *objective,
                        const double *force, const double *impulse, const fvi_sensitivities *gradients);
 

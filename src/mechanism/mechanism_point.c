@@ -52,6 +52,24 @@ int fvi_mechanism_elongations(const fvi_stepper *s, double t, const double *x,
     return status;
 }
 
+int fvi_elongation_rate_is_fixed(const fvi_elongation *of, size_t d, const double *x0, double *room, int *is_fixed)
+{
+    double here, there;
+    *is_fixed = 1;
+    if (of->row || !of->rate)
+        return FVI_SUCCESS;
+    memcpy(room, x0, d * sizeof *room);
+    int status = of->rate(0, d, room, of->params, &here);
+    for (size_t i = 0; i < 2 * d && !status; i++) {
+        room[i / 2] = x0[i / 2] + (i % 2 ? 1e-3 : -1e-3);
+        status = of->rate(0, d, room, of->params, &there);
+        room[i / 2] = x0[i / 2];
+        if (!status)
+            *is_fixed &= there == here;
+    }
+    return status;
+}
+
 int fvi_mechanism_force(fvi_stepper *s, double t, double *F)
 {
     const int status = fvi_force_value(s, t);

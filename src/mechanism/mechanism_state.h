@@ -102,6 +102,11 @@ int fvi_mechanism_point(fvi_stepper *s, size_t i, double t, int with_forces);
 int fvi_mechanism_elongations(const fvi_stepper *s, double t, const double *x,
                               double *z, double *G);
 
+/* fvi_elongation_rate_is_fixed -- Find out whether the rate of an elongation at t = 0 is the same at x0 and beside it.
+ * If not, the rate has derivatives by x0, which no callback gives. room has d numbers. Return FVI_SUCCESS, or the code
+ * of the elongation. */
+int fvi_elongation_rate_is_fixed(const fvi_elongation *of, size_t d, const double *x0, double *room, int *is_fixed);
+
 /* fvi_mechanism_force -- Write the force F(t) to F, d numbers; zeros if there is none. Return FVI_SUCCESS, or the code
  * of the force. */
 int fvi_mechanism_force(fvi_stepper *s, double t, double *F);

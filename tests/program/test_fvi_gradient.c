@@ -342,6 +342,11 @@ START_TEST(a_gradient_of_a_damper_is_a_difference_of_runs)
     }
     ck_assert_int_eq(fvi("gradient --of d1.force --alpha 1 --method fvi"), 1);
     ck_assert_ptr_nonnull(strstr(err, "at alpha = 1 the damping is a mass"));
+    /* the rate x of x (1 + t) changes with x0, that of x + t does not */
+    ck_assert_int_eq(fvi("gradient --of d1.force --method fvi-stable --damper 'x*(1+t) : power:0.4,0.3'"), 1);
+    ck_assert_ptr_nonnull(strstr(err, "no derivative by x0 of the force of a damper if the rate of its elongation"));
+    ck_assert_int_eq(fvi("gradient --of d1.force --method fvi-stable --damper 'x*(1+t) : power:0.4,0.3' --by p0"), 0);
+    ck_assert_int_eq(fvi("gradient --of d1.force --method fvi-stable --damper 'x+t : power:0.4,0.3'"), 0);
 }
 END_TEST
 
