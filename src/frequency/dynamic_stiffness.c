@@ -72,6 +72,26 @@ void fvi_stiffness_at(fvi_response *r, double complex s, double e)
 }
 //< stiffness
 
+double complex fvi_stiffness_factor(const fvi_response *r, size_t l, double complex s)
+{
+    return l == 0 ? s * s : l == 1 ? 1 : fvi_kernel_at(r->term[l].kernel, s, NULL);
+}
+
+/* hypot does not lose numbers whose squares are below the smallest double. */
+double fvi_stiffness_add_product(const fvi_sparse *A, double complex factor, const double complex *v,
+                                 double complex *y)
+{
+    double size = 0;
+    for (size_t j = 0; j < A->n; j++) {
+        double complex sum = 0;
+        for (int e = A->start[j]; e < A->start[j + 1]; e++)
+            sum += A->entry[e] * v[A->row[e]];
+        y[j] += factor * sum;
+        size = hypot(size, cabs(factor * sum));
+    }
+    return size;
+}
+
 double fvi_stiffness_norm(const fvi_response *r, double complex s)
 {
     double sum = cabs(s) * cabs(s) * r->term[0].norm + r->term[1].norm;

@@ -24,7 +24,7 @@ typedef struct {
 struct fvi_response {
     size_t d, terms;
     fvi_stiffness_term *term; /* M, K, then the dampings */
-    double *along;            /* the motion of the unknowns with the ground */
+    double complex *along;    /* the motion of the unknowns with the ground; real */
     fvi_kernel_term power;    /* D^{2 alpha} as a law */
     fvi_kernel powers;
     int *start, *row;         /* pattern of the sum, by columns */
@@ -57,6 +57,13 @@ int fvi_stiffness_factorise(fvi_response *response, double complex s, double e);
 void fvi_stiffness_multiply(const fvi_response *response,
                             const double complex *A, const double complex *x,
                             double complex *y);
+
+/* fvi_stiffness_factor -- Return s^2, 1 or C_j(s), the factor of term l.
+ * fvi_stiffness_add_product -- Add a factor times A v to y, for the symmetric matrix A of a term. Return the norm of
+ * what is added. */
+double complex fvi_stiffness_factor(const fvi_response *response, size_t l, double complex s);
+double fvi_stiffness_add_product(const fvi_sparse *A, double complex factor, const double complex *v,
+                                 double complex *y);
 
 /* fvi_stiffness_norm -- Return |s|^2 |M| + |K| + sum_j |C_j(s)| |B_j|, which bounds |Z(s)|. */
 double fvi_stiffness_norm(const fvi_response *response, double complex s);

@@ -147,34 +147,14 @@ static int update_shape(fvi_response *r, double complex *s, double complex *v,
     return status;
 }
 
-/* Add factor times A v to y, for the symmetric matrix A of a term. Return the norm of what is added. hypot does not
- * lose numbers whose squares are below the smallest double. */
-static double add_product(const fvi_sparse *A, double complex factor, const double complex *v, double complex *y)
-{
-    double size = 0;
-    for (size_t j = 0; j < A->n; j++) {
-        double complex sum = 0;
-        for (int e = A->start[j]; e < A->start[j + 1]; e++)
-            sum += A->entry[e] * v[A->row[e]];
-        y[j] += factor * sum;
-        size = hypot(size, cabs(factor * sum));
-    }
-    return size;
-}
-
 /* Compute p->residual and p->uncancelled for s and v of the candidate. The terms of Z v are added, and not the terms of
  * Z, because K would hide the other terms near s = 0, where K v may be 0. `room` has d numbers. */
 static void compute_residual(const fvi_response *r, fvi_pole_candidate *p, double complex *room)
 {
     double sum_of_norms = 0, norm_of_Zv = 0; /* sum_of_norms: of the terms of Z v */
     memset(room, 0, r->d * sizeof *room);
-    for (size_t l = 0; l < r->terms; l++) {
-        const double complex factor =
-            l == 0   ? p->s * p->s
-            : l == 1 ? 1
-                     : fvi_kernel_at(r->term[l].kernel, p->s, NULL);
-        sum_of_norms += add_product(r->term[l].matrix, factor, p->v, room);
-    }
+    for (size_t l = 0; l < r->terms; l++)
+        sum_of_norms += fvi_stiffness_add_product(r->term[l].matrix, fvi_stiffness_factor(r, l, p->s), p->v, room);
     for (size_t j = 0; j < r->d; j++)
         norm_of_Zv = hypot(norm_of_Zv, cabs(room[j]));
     p->residual = norm_of_Zv / (fvi_stiffness_norm(r, p->s) * norm(r->d, p->v));

@@ -29,7 +29,7 @@ static int copy_direction(const fvi_linear_motion *motion, fvi_response *r,
         return fvi_no_memory(error, NULL);
     for (size_t i = 0; i < r->d; i++)
         r->along[i] = motion->along ? motion->along[i] : 1;
-    return fvi_all_finite(r->d, r->along)
+    return fvi_all_finite(2 * r->d, (const double *)r->along)
                ? FVI_SUCCESS
                : fvi_fail(error, FVI_EDOM, "along", NAN, "how the unknowns move with the ground is not finite");
 }
@@ -143,22 +143,9 @@ int fvi_response_multiply(fvi_response *r, const double s[2], int derivative,
 
 /* ---- responses ---- */
 
-/* Compute the load: a force of 1 on one unknown, or M r if the ground moves along r. */
-static void assemble_load(const fvi_response *r, fvi_response_kind kind, size_t by,
-                          double complex *f)
-{
-    const fvi_sparse *M = r->term[0].matrix;
-    const int is_ground = kind == FVI_RESPONSE_GROUND;
-    for (size_t j = 0; j < r->d; j++)
-        f[j] = !is_ground && j == by;
-    for (size_t j = 0; is_ground && j < r->d; j++)
-        for (int e = M->start[j]; e < M->start[j + 1]; e++)
-            f[j] += M->entry[e] * r->along[M->row[e]];
-}
-
 //> kinds
 static double complex convert_receptance(fvi_response_kind kind, double omega,
-                                         double along, double complex x)
+                                         double complex along, double complex x)
 {
     switch (kind) {
     case FVI_RESPONSE_MOBILITY:
@@ -174,6 +161,28 @@ static double complex convert_receptance(fvi_response_kind kind, double omega,
 }
 //< kinds
 
+//> ground
+/* Compute the load for a ground that moves along r: M r, or the forces (K + sum_j C_j B_j) r by which springs and
+ * dampers pull the unknowns along. Omega^2 M r and these forces are two loads for the answer relative to the ground and
+ * for the whole answer. The smaller load has the smaller rounding errors. Return 1 if x is the second load. `x` has 2 d
+ * numbers. (30.3) */
+static int assemble_ground_load(const fvi_response *r, double omega, double complex *x)
+{
+    const size_t d = r->d;
+    double complex *forces = x + d;
+    double size_of_forces = 0, size;
+    memset(x, 0, 2 * d * sizeof *x);
+    size = omega * omega * fvi_stiffness_add_product(r->term[0].matrix, 1, r->along, x);
+    for (size_t l = 1; l < r->terms; l++)
+        size_of_forces += fvi_stiffness_add_product(r->term[l].matrix, fvi_stiffness_factor(r, l, I * omega),
+                                                    r->along, forces);
+    const int is_whole = size_of_forces < size;
+    if (is_whole)
+        memcpy(x, forces, d * sizeof *x);
+    return is_whole;
+}
+//< ground
+
 static int solve_at_frequency(fvi_response *r, fvi_response_kind kind, double omega,
                               size_t at, size_t by, double complex *x,
                               double H[2])
@@ -183,9 +192,11 @@ static int solve_at_frequency(fvi_response *r, fvi_response_kind kind, double om
     int status = fvi_stiffness_factorise(r, I * omega, 1);
     if (status)
         return status;
-    assemble_load(r, kind, by, x);
+    for (size_t j = 0; j < r->d; j++)
+        x[j] = j == by; /* a force of 1 */
+    const int is_whole = kind == FVI_RESPONSE_GROUND && assemble_ground_load(r, omega, x);
     status = fvi_complex_factors_solve(r->factors, x);
-    const double complex h = convert_receptance(kind, omega, r->along[at], x[at]);
+    const double complex h = is_whole ? x[at] : convert_receptance(kind, omega, r->along[at], x[at]);
     H[0] = creal(h);
     H[1] = cimag(h);
     return status                  ? status
@@ -204,7 +215,7 @@ int fvi_response_at(fvi_response *r, fvi_response_kind kind, size_t n,
     if (at >= r->d || (kind != FVI_RESPONSE_GROUND && by >= r->d))
         return fvi_fail(error, FVI_EINVAL, at >= r->d ? "at" : "by", (double)(at >= r->d ? at : by),
                         "there are %zu unknowns", r->d);
-    double complex *x = malloc(r->d * sizeof *x);
+    double complex *x = malloc(2 * r->d * sizeof *x); /* the second half for a moving ground */
     if (!x)
         return fvi_no_memory(error, NULL);
     int status = FVI_SUCCESS;

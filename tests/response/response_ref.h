@@ -40,6 +40,16 @@ static const struct { int system, kind; double omega, re, im; } responses[] = {
     { 2, 3, 7.3125, -0x1.4e2942195e7e3p-7, -0x1.77bdcd03f582ap-8 },
 };
 
+/* unknown 1 by the ground: system, omega, value */
+static const struct { int system; double omega, re, im; } grounds[] = {
+    { 0, 0.0078125, 0x1.00003321b622cp+0, -0x1.a3108a36f657ap-28 },
+    { 0, 65536, -0x1.70108f09b4a15p-21, -0x1.0a1215eb342f8p-20 },
+    { 1, 0.0078125, 0x1.0003801503068p+0, -0x1.0188acb3a1157p-35 },
+    { 1, 65536, -0x1.00000009991e2p-30, -0x1.dcd6e4fed9609p-73 },
+    { 2, 0.0078125, 0x1.00040027304b2p+0, -0x1.b6d3ad55d0cadp-29 },
+    { 2, 65536, 0x1.a82e77223aa8ap-8, -0x1.18c1b179221b5p-8 },
+};
+
 /* poles, and their residues between unknowns d and 1 */
 static const struct { int system; double re, im, residue_re, residue_im; } roots[] = {
     { 0, -0x1.fb57a562beb48p-5, 0x1.71f361d52adf6p+1, -0x1.742ff37b5c503p-11, -0x1.1bf0f6f9b3125p-6 },

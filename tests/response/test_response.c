@@ -250,6 +250,49 @@ START_TEST(eq_30_3_the_ground_moves_along_a_direction)
 }
 END_TEST
 
+/* An error dZ changes T by Z^-1 dZ T, and the load S r = (K + C B) r has errors of its own. With |T| <= |Z^-1| |S r|
+ * the bound is 8 u |Z^-1| |S| |r| (1 + |Z^-1| |Z|). At 65536 |Z^-1| |S| is so small that the bound is below u.
+ * At 1/128 1 + omega^2 Z^-1 M r has errors of its second part, which omega^2 |M| |r| bounds, and u. */
+START_TEST(eq_30_3_a_fast_ground_leaves_all_digits)
+{
+    for (size_t i = 0; i < LEN(grounds); i++) {
+        linear_system s;
+        make_system(grounds[i].system, &s);
+        const fvi_linear_motion motion = { .system = &s.system };
+        fvi_response *r = response_of(&motion);
+        const double omega = grounds[i].omega, at[2] = { 0, omega };
+        double T[2];
+        OK(fvi_response_at(r, FVI_RESPONSE_GROUND, 1, &omega, 0, 0, T, NULL));
+        const double inverse = norm_of_inverse(r, at), norm = fvi_stiffness_norm(r, I * omega),
+                     inertia = omega * omega * r->term[0].norm;
+        const int is_fast = omega > 1000;
+        const double load = is_fast ? norm - inertia : inertia,
+                     bound = 8 * U * inverse * load * sqrt((double)s.d) * (1 + inverse * norm) + (is_fast ? 0 : U);
+        ck_assert(bound < (is_fast ? U : 2 * U));
+        ck_assert_near(T[0], grounds[i].re, bound, "re of %zu", i);
+        ck_assert_near(T[1], grounds[i].im, bound, "im of %zu", i);
+        fvi_response_free(r);
+    }
+}
+END_TEST
+
+/* Two masses of 1, tied by a spring of 10^12, on a spring of 1. They move as one mass of 2: T = 1 / (1 - 2 omega^2) but
+ * for terms of omega^4 and 10^-12 omega^2. Z has the condition number 10^12, so Z^-1 K r has errors of 10^-4. */
+START_TEST(eq_30_3_a_slow_ground_leaves_all_digits)
+{
+    linear_system s = { .d = 2, .mass = { 1, 1 } };
+    springs(&s, (const double[]){ 1, 1e12 });
+    point_into(&s);
+    const fvi_linear_motion motion = { .system = &s.system };
+    fvi_response *r = response_of(&motion);
+    const double omega = 0x1p-20;
+    double T[2];
+    OK(fvi_response_at(r, FVI_RESPONSE_GROUND, 1, &omega, 0, 0, T, NULL));
+    ck_assert_near(T[0], 1 + 2 * omega * omega, 8 * pow(omega, 4) + 2 * U, "T");
+    fvi_response_free(r);
+}
+END_TEST
+
 /* ---- what is refused ---- */
 
 #define REFUSED(want, field_, call)                                            \
@@ -348,7 +391,8 @@ int main(void)
              eq_30_1_dampings_of_a_system_are_dampers,
              eq_30_1_is_linear_around_a_place, sparse_and_dense_factors_agree,
              a_response_is_what_is_left_of_a_motion,
-             eq_30_3_the_ground_moves_along_a_direction,
+             eq_30_3_the_ground_moves_along_a_direction, eq_30_3_a_fast_ground_leaves_all_digits,
+             eq_30_3_a_slow_ground_leaves_all_digits,
              a_structure_responds_as_its_masses_do);
     ADD_CASE(suite, "refused", bad_systems_are_refused,
              bad_questions_are_refused);

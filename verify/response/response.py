@@ -38,6 +38,7 @@ absolute = s**2 * y + along * a
 whole = s**2 * M * (y + along * a / s**2) + K * y    # M x'' + K (x - g r) = 0
 prove("(30.3): the equation", *whole.applyfunc(simplify))
 prove("(30.3): r - s^2 H M r", *(absolute - (eye(2) - s**2 * Z.inv() * M) * along * a).applyfunc(simplify))
+prove("(30.3): H (Z - s^2 M) r", *(absolute - Z.inv() * (Z - s**2 * M) * along * a).applyfunc(simplify))
 
 # ---- (30.4): Z = (s - p) near a simple zero of a 2 by 2 symmetric matrix
 p, z1, z2, z3 = symbols("p z1 z2 z3")
@@ -252,7 +253,7 @@ def cut(system, s, i, j):
 
 
 header("verify/response/response.py")
-responses, roots, residues = [], [], []
+responses, grounds, roots, residues = [], [], [], []
 for number, (name, system) in enumerate(SYSTEMS.items()):
     n = system[0].rows
     for omega in ("0.25", "1.5", "7.3125"):
@@ -261,6 +262,9 @@ for number, (name, system) in enumerate(SYSTEMS.items()):
         for what, value in ((0, H[n - 1, 0]), (1, mpc(0, mpf(omega)) * H[n - 1, 0]),
                             (2, -mpf(omega)**2 * H[n - 1, 0]), (3, ground)):
             responses.append([number, what, omega, nearest(value.real), nearest(value.imag)])
+    for omega in ("0.0078125", "65536"):  # exact binary numbers
+        T = inverse(dynamic_stiffness(system, mpc(0, mpf(omega)))) * system[0] * matrix([1] * n) * mpf(omega)**2
+        grounds.append([number, omega, nearest(1 + T[0].real), nearest(T[0].imag)])
     found = poles(system)
     claim("as many as unknowns", len(found) == n)
     for s in found:
@@ -277,6 +281,8 @@ for number, (name, system) in enumerate(SYSTEMS.items()):
 
 print("\n/* unknown d by unknown 1: system, kind (receptance, mobility, accelerance, ground), omega, value */", end="")
 table("responses", "int system, kind; double omega, re, im;", responses)
+print("\n/* unknown 1 by the ground: system, omega, value */", end="")
+table("grounds", "int system; double omega, re, im;", grounds)
 print("\n/* poles, and their residues between unknowns d and 1 */", end="")
 table("roots", "int system; double re, im, residue_re, residue_im;", roots)
 print("\n/* (30.6) at s = 7.3125 i between d and d: the poles' part, and all */", end="")
