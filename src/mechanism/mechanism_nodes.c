@@ -108,6 +108,14 @@ int fvi_mechanism_linearise_nodes(fvi_stepper *s, const double *u)
     return status || o->form == FVI_MECHANISM_NODES ? status : evaluate_end(s, u);
 }
 
+/* Write the rate at which the time alone changes the elongation of damper j, at the end of the step. */
+static int elongation_rate_at_end(const fvi_stepper *s, size_t j, double *rate)
+{
+    const fvi_elongation *of = &s->run.system->mechanism->damper[j].of;
+    *rate = 0;
+    return of->row || !of->rate ? FVI_SUCCESS : of->rate(time_of(s, s->k + 1), s->mechanism->d, s->x, of->params, rate);
+}
+
 /* End a step of order 1. Here F, the forces of velocity and the dampers act at the end of the step. */
 static int end_first_order(fvi_stepper *s)
 {
@@ -133,12 +141,15 @@ static int end_first_order(fvi_stepper *s)
         status = fvi_mechanism_update_histories(s, t, o->zdot);
     for (size_t i = 0; i < d; i++)
         s->p[i] += h * (o->f[i] + o->load[i]);
-    for (size_t j = 0; j < o->r; j++) {
+    for (size_t j = 0; j < o->r && !status; j++) {
         const double *G = o->G + j * d, force_now = o->lambda[j];
+        double rate;
+        status = elongation_rate_at_end(s, j, &rate);
         for (size_t i = 0; i < d; i++) {
             s->p[i] -= h * force_now * G[i];
             o->work[j] += force_now * G[i] * s->dx[i];
         }
+        o->work[j] += force_now * (h * rate);
         o->impulse[j] += h * force_now;
     }
     return status;

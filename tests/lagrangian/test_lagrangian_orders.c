@@ -200,11 +200,34 @@ START_TEST(a_range_of_orders_has_its_order_after_a_start_with_a_velocity)
 }
 END_TEST
 
+/* A heavy body stays at 1, and z = x (1 + t) grows by its time alone: z' = 1. A dashpot of 0.5 answers with the force
+ * 0.5, so its work in the time 2 is 1. */
+START_TEST(a_time_in_an_elongation_does_work)
+{
+    static const mechanism_text text = { .name = "time",
+                                         .d = 1,
+                                         .lagrangian = "1e9*v^2/2",
+                                         .damper = { "x*(1+t) : viscous:0.5" },
+                                         .x0 = { 1 } };
+    const fvi_method *const methods[] = { &fvi_fractional, &fvi_cq2_midpoint, &fvi_lobatto_m3, &fvi_lobatto_d4 };
+    mechanism_problem p;
+    open_problem(&text, &p);
+    for (int m = 0; m < 4; m++) {
+        double work;
+        fvi_stepper *s = stepper_at(methods[m], &p, 0.1, 20, 20);
+        OK(fvi_stepper_damper(s, 0, NULL, &work));
+        ck_assert_double_eq_tol(work, 1, 1e-8);
+        fvi_stepper_free(s);
+    }
+    close_problem(&p);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("lagrangian: orders");
     ADD_LOOP(suite, eq_29_10_orders_are_what_the_table_says, COUNT);
     ADD_CASE(suite, "orders", a_linkage_of_four_bars_converges, eq_29_17_creep_without_a_mass_converges,
-             a_range_of_orders_has_its_order_after_a_start_with_a_velocity);
+             a_range_of_orders_has_its_order_after_a_start_with_a_velocity, a_time_in_an_elongation_does_work);
     return run_suite(suite);
 }
