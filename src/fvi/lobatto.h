@@ -87,7 +87,8 @@ extern const fvi_method fvi_lobatto_m5, fvi_lobatto_m6, fvi_lobatto_m7, fvi_loba
  * on its cut or near it: a FVI_KERNEL_ZENER with 2 alpha > 0.9 other than 1, or a FVI_KERNEL_MAXWELL2 with 2
  * (alpha - end) > 0.9 or 2 alpha > 1 > 2 end. FVI_HISTORY_AUTO sums the weights of such a law directly. A DAVIDSON, a
  * HAVRILIAK or a SYMBOL needs modes for its weights. So the start refuses it, with every kind of memory, if its values
- * on the cut do not give the weights; for example a DAVIDSON with 2 alpha = 0.96.
+ * on the cut do not give the weights; for example a DAVIDSON with 2 alpha = 0.96. With 2 alpha = 1 a DAVIDSON is a
+ * Maxwell element, and is taken.
  *
  * Order at a fixed t > 0 at which F does not jump. If U is quadratic and F is a polynomial of degree < s between its
  * jumps at nodes, both orders are 2s - 2, whatever alpha. Otherwise they are

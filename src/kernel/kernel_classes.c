@@ -70,15 +70,18 @@ static double complex davidson_symbol(const fvi_kernel_term *t, double modulus,
     return C;
 }
 
+/* Of order 1 it is a Maxwell element, without a time a power, and of order 0 a spring. */
 static int davidson_fraction(const fvi_kernel_term *t, fvi_kernel_simple *f)
 {
-    return t->time == 0 && fvi_power_fraction(t, f);
+    if (t->alpha == 0.5)
+        return fvi_zener_fraction(t, f);
+    return (t->time == 0 || t->alpha == 0) && fvi_power_fraction(t, f);
 }
 
 /* For r > 1 / T it is real and positive. */
 static fvi_kernel_side davidson_side(const fvi_kernel_term *t)
 {
-    return t->alpha < 0.5 ? FVI_SIDE_ABOVE_OR_ON : t->alpha == 0.5 ? FVI_SIDE_NEGATIVE : FVI_SIDE_ANYWHERE;
+    return t->alpha < 0.5 ? FVI_SIDE_ABOVE_OR_ON : FVI_SIDE_ANYWHERE;
 }
 
 static double davidson_growth(const fvi_kernel_term *t)

@@ -22,8 +22,8 @@ typedef struct {
 
 /* fvi_lobatto_kernel_prepare -- Prepare a law that has passed fvi_kernel_check. Some fractions have no nodes: those
  * with a denominator of order 2 below > 0.9, except a Maxwell element, because their poles are too near the cut or off
- * it; and those whose weight on the cut changes its sign. General terms, which are a DAVIDSON, a HAVRILIAK that is no
- * fraction, and a SYMBOL, have modes of their own.
+ * it; and those whose weight on the cut changes its sign. General terms, which are a DAVIDSON and a HAVRILIAK that are
+ * no fraction, and a SYMBOL, have modes of their own.
  *
  * Return FVI_SUCCESS; FVI_EUNSUP if the modes of a general term (kernel_general.h) do not represent its weights;
  * FVI_ENOMEM. */

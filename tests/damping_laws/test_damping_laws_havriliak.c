@@ -82,16 +82,19 @@ START_TEST(eq_26_9_motions_of_havriliak_and_negami)
 END_TEST
 
 /* With the exponent 1 it is the law of Zener, without a time a power, and of order 0 a spring: the same weights and the
- * same motions, to the bit. */
+ * same motions, to the bit. The law of Cole and Davidson of order 1 is a Maxwell element, and of order 0 a spring. */
 START_TEST(an_exponent_of_one_is_the_law_of_zener_to_the_bit)
 {
     const fvi_kernel_term pairs[][2] = {
         { { FVI_KERNEL_HAVRILIAK, 0.4, 0.3, 2, 1 }, { FVI_KERNEL_ZENER, 0.4, 0.3, 2, 0 } },
         { { FVI_KERNEL_HAVRILIAK, 0.4, 0.3, 0, 0.6 }, { FVI_KERNEL_POWER, 0.4, 0.3, 0, 0 } },
         { { FVI_KERNEL_HAVRILIAK, 0.4, 0, 3, 0.5 }, { FVI_KERNEL_POWER, 0.2, 0, 0, 0 } },
+        { { FVI_KERNEL_DAVIDSON, 0.4, 0.5, 2, 0 }, { FVI_KERNEL_MAXWELL, 0.4, 0, 2, 0 } },
+        { { FVI_KERNEL_DAVIDSON, 0.4, 0, 2, 0 }, { FVI_KERNEL_POWER, 0.4, 0, 0, 0 } },
     };
     static const double one = 1;
-    static const fvi_method *const methods[] = { &fvi_fractional, &fvi_cq2_midpoint, &fvi_lobatto_d3 };
+    static const fvi_method *const methods[] = { &fvi_fractional, &fvi_cq2_midpoint, &fvi_lobatto_d3,
+                                                &fvi_variable_step };
     for (size_t i = 0; i < LEN(pairs); i++)
         for (size_t m = 0; m < LEN(methods); m++) {
             double x[2][401];

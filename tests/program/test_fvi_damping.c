@@ -200,7 +200,7 @@ START_TEST(what_is_no_law_is_bad_use)
     static const char *const singular[][2] = { { "zener:1,0.6,1", "a pole" }, { "maxwell2:1,0.5,2,0.01", "a pole" },
                                                { "havriliak:1,0.5,1,0.5", "a branch point" },
                                                { "davidson:1,0.49,2", "a branch point" },
-                                               { "davidson:1,0.5,2", "a pole" },
+                                               { "davidson:1,1,2", "a pole" },
                                                { "davidson:1,0.49,2 + zener:1,0.3,1", "a pole or a branch point" },
                                                { "symbol:s^0.6/(1+s)", "a pole or a branch point" } };
     for (size_t i = 0; i < LEN(singular); i++) {

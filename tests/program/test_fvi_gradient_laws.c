@@ -297,8 +297,10 @@ static double row(const char *options, const char *name)
 
 /* With T = 0 Havriliak and Negami's law is a power; its derivative by T is B times that of a zener, and by B it is 0.
  * With B = 1 it is a zener, and with A = 1/2 as well a Maxwell element, whose derivative by B,
- * -s ln(1 + T s)/(1 + T s), has a pole on the cut. fvi-bdf2 has this derivative by its weights, and by h/2 and h/4 to order 3. Seen: 1e-9. */
-START_TEST(stages_differentiate_a_havriliak_that_is_a_simpler_law)
+ * -s ln(1 + T s)/(1 + T s), has a pole on the cut. fvi-bdf2 has this derivative by its weights, and by h/2 and h/4 to
+ * order 3. Seen: 1e-9.
+ * Davidson's law with A = 1/2 is a Maxwell element, too. It has a derivative by A, which a Maxwell element has not. */
+START_TEST(stages_differentiate_a_law_that_is_a_simpler_law)
 {
     static const char *const methods[] = { "--method fvi-lobatto4", "--method fvi-lobatto3d" };
     static const char *const equal[][4] = {
@@ -309,6 +311,8 @@ START_TEST(stages_differentiate_a_havriliak_that_is_a_simpler_law)
         { "havriliak:1,0.5,2,1", "zener:1,0.5,2", "damping_A", "1" },
         { "havriliak:1,0.5,2,1", "maxwell:1,2", "damping_T", "1" },
         { "havriliak:1,0.5,2,1", "maxwell:1,2", "damping", "1" },
+        { "davidson:1,0.5,2", "maxwell:1,2", "damping_T", "1" },
+        { "davidson:1,0.5,2", "maxwell:1,2", "damping", "1" },
     };
     char options[200];
     for (size_t m = 0; m < LEN(methods); m++)
@@ -319,10 +323,17 @@ START_TEST(stages_differentiate_a_havriliak_that_is_a_simpler_law)
             snprintf(options, sizeof options, "%s --damping %s", methods[m], equal[i][0]);
             ck_assert_near(row(options, equal[i][2]), want, 1e-13, "%s, %s", options, equal[i][2]);
         }
-    const double coarse = row("--damping havriliak:1,0.5,2,1 --method fvi-bdf2 --steps 400", "damping_B"),
-                 fine = row("--damping havriliak:1,0.5,2,1 --method fvi-bdf2 --steps 800", "damping_B"),
-                 stages = row("--damping havriliak:1,0.5,2,1 --method fvi-lobatto6", "damping_B");
-    ck_assert_near(stages, (4 * fine - coarse) / 3, 1e-8, "B");
+    static const char *const by_weights[][2] = { { "havriliak:1,0.5,2,1", "damping_B" },
+                                                 { "davidson:1,0.5,2", "damping_A" } };
+    for (size_t i = 0; i < LEN(by_weights); i++) {
+        double of[3];
+        for (size_t m = 0; m < 3; m++) {
+            static const char *const how[] = { "fvi-bdf2 --steps 400", "fvi-bdf2 --steps 800", "fvi-lobatto6" };
+            snprintf(options, sizeof options, "--damping %s --method %s", by_weights[i][0], how[m]);
+            of[m] = row(options, by_weights[i][1]);
+        }
+        ck_assert_near(of[2], (4 * of[1] - of[0]) / 3, 1e-8, "%s", by_weights[i][1]);
+    }
     ck_assert_int_eq(fvi("gradient --damping havriliak:1,0.49,2,1 --method fvi-lobatto4"), 1);
     ck_assert_str_eq(err, "fvi: the derivative of this law by one of its numbers is no sum of decaying modes, which "
                           "stages need; fvi, fvi-bdf2 and fvi-stable have it\n");
@@ -334,7 +345,7 @@ int main(void)
     Suite *suite = suite_create("fvi gradient: laws of damping");
     ADD_CASE(suite, "answers", rows_of_a_law_are_differences_of_runs,
              rows_of_a_law_on_steps_of_any_length, two_springpots_in_series_have_rows,
-             havriliak_has_rows_by_all_its_numbers, stages_differentiate_a_havriliak_that_is_a_simpler_law,
+             havriliak_has_rows_by_all_its_numbers, stages_differentiate_a_law_that_is_a_simpler_law,
              a_pair_with_poles_beside_a_law_of_high_order,
              two_springpots_in_series_have_no_row_by_half_a_number, the_parts_of_a_pair_keep_their_names,
              what_has_no_derivative_is_refused_by_its_name);
