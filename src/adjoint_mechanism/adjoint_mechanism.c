@@ -57,7 +57,7 @@ int fvi_adjoint_mechanism_check(const fvi_method *method, const fvi_run *run,
 int fvi_adjoint_mechanism_allocate(fvi_adjoint_mechanism *m)
 {
     const size_t d = m->d, r = m->r, s = m->s, n = m->n, c = m->o->m;
-    m->block = FVI_ARRAYS({ &m->last, 3 * d + c }, { &m->G0, r * d }, { &m->v0, d }, { &m->z0, r }, { &m->g, d },
+    m->block = FVI_ARRAYS({ &m->last, 3 * d + c }, { &m->G0, r * d }, { &m->v0, d + c }, { &m->z0, r }, { &m->g, d },
                           { &m->beta, d }, { &m->next, d }, { &m->multiplier, n + d }, { &m->phi, s * d },
                           { &m->kappa, s * d }, { &m->tau, s * d }, { &m->matrix, n * n },
                           { &m->projection, (d + c) * (d + c) }, { &m->gradient, c * d }, { &m->factors, c },
@@ -187,31 +187,13 @@ int fvi_adjoint_mechanism_point(fvi_adjoint_mechanism *m, size_t i, double t, co
 
 /* ---- the start of the run ---- */
 
-/* v0 solves L_v(x0, v0, 0) = p0. */
-int fvi_adjoint_mechanism_add_velocity(fvi_adjoint_mechanism *m, double *by_v, double *by_x0,
-                                       double *by_p0)
+/* v0 is the velocity of p0, as at every node, and the multipliers w are 0 there. */
+int fvi_adjoint_mechanism_add_velocity(fvi_adjoint_mechanism *m, const double *by_v)
 {
-    const size_t d = m->d;
-    fvi_mechanism_state *o = m->o;
-    int status = FVI_SUCCESS, moves = 0;
-    for (size_t i = 0; i < d; i++)
+    int moves = 0;
+    for (size_t i = 0; i < m->d; i++)
         moves |= by_v[i] != 0;
-    if (!moves)
-        return status;
-    memcpy(o->X, m->run->x0, d * sizeof *o->X);
-    memcpy(o->V, m->v0, d * sizeof *o->V);
-    status = fvi_mechanism_point(m->stepper, 0, 0, 0);
-    memcpy(m->matrix, o->Lvv, d * d * sizeof *m->matrix); /* symmetric */
-    if (!status)
-        status = fvi_solve_matrix(d, m->matrix, by_v, m->order);
-    memset(m->phi, 0, d * sizeof *m->phi);
-    for (size_t i = 0; i < d; i++) {
-        by_p0[i] += by_v[i];
-        for (size_t j = 0; j < d; j++)
-            by_x0[j] -= o->Lxv[j * d + i] * by_v[i];
-        by_v[i] = -by_v[i];
-    }
-    return status ? status : fvi_adjoint_mechanism_point(m, 0, 0, by_v, m->phi);
+    return moves ? fvi_adjoint_mechanism_project(m, 0, m->run->x0, m->v0, m->v0 + m->d, by_v) : FVI_SUCCESS;
 }
 
 static int finish(fvi_adjoint_mechanism *m)
@@ -226,7 +208,7 @@ static int finish(fvi_adjoint_mechanism *m)
     if (!status)
         status = fvi_adjoint_mechanism_names_check(m);
     if (!status)
-        status = fvi_adjoint_mechanism_add_velocity(m, by_v, m->g, m->beta);
+        status = fvi_adjoint_mechanism_add_velocity(m, by_v);
     if (want->x0)
         memcpy(want->x0, m->g, d * sizeof *m->g);
     for (size_t j = 0; j < m->r && !status; j++)

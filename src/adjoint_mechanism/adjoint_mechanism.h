@@ -58,7 +58,8 @@ typedef struct {
     const double *unknown;      /* u of the current step */
     double *record;             /* x_k, u, known, start_impulse, v_k, w_k of each step; owned */
     double *last;               /* x_N, p_N, v_N, and the impulse w of the constraints there */
-    double *G0, *z0, *v0;       /* at the start: gradients of the elongations, elongations and velocities; r d, r, d */
+    double *G0, *z0, *v0;       /* at the start: gradients of the elongations, elongations, velocities; r d, r, d, and
+                                   m zeros behind v0 */
     double *g, *beta, *next;    /* d each: dJ/dx_{k+1} through all later steps; the multiplier of p_{k+1}; the same as g
                                    for x_k */
     double *multiplier;         /* n: the multipliers of the equations of the step */
@@ -82,12 +83,11 @@ int fvi_adjoint_mechanism_run(const fvi_method *method, const fvi_run *run,
                               const fvi_objective *J, const fvi_sensitivities *want);
 
 /* fvi_adjoint_mechanism_allocate -- allocate everything but the records; the stepper has been started.
- * fvi_adjoint_mechanism_add_velocity -- carry the derivative by v_0, by_v, d numbers, over to p_0, x_0 and the numbers
- * that L depends on. by_v is overwritten.
+ * fvi_adjoint_mechanism_add_velocity -- carry the derivative by v_0, by_v, d numbers, over to p_0 (beta), x_0 (g) and
+ * the numbers that L depends on. At the start the multipliers of the constraints are 0.
  * fvi_adjoint_mechanism_stop -- free everything. */
 int fvi_adjoint_mechanism_allocate(fvi_adjoint_mechanism *m);
-int fvi_adjoint_mechanism_add_velocity(fvi_adjoint_mechanism *m, double *by_v, double *by_x0,
-                                       double *by_p0);
+int fvi_adjoint_mechanism_add_velocity(fvi_adjoint_mechanism *m, const double *by_v);
 void fvi_adjoint_mechanism_stop(fvi_adjoint_mechanism *m);
 
 /* ---- adjoint_mechanism_mesh.c: steps of any length ---- */

@@ -37,9 +37,11 @@ static int solve(fvi_adjoint_mechanism *m, const double *C, const double *by_v, 
         memcpy(A + i * n, o->Lvv + i * d, d * sizeof *A);
         for (size_t l = 0; l < c; l++)
             A[i * n + d + l] = A[(d + l) * n + i] = C[l * d + i];
+        if (o->is_massless[i]) /* p does not determine its velocity, which stays what it is */
+            A[i * n + i] = 1;
     }
     for (size_t i = 0; i < n; i++)
-        right[i] = by_v && i < d ? by_v[i] : 0;
+        right[i] = by_v && i < d && !o->is_massless[i] ? by_v[i] : 0;
     for (size_t l = 0; l < c; l++)
         for (size_t i = 0; i < d; i++)
             right[d + l] -= C[l * d + i] * m->beta[i];

@@ -286,7 +286,7 @@ static int finish(fvi_adjoint_mechanism *m)
     if (!status)
         status = fvi_adjoint_mechanism_names_check(m);
     if (!status && m->o->m == 0)
-        status = fvi_adjoint_mechanism_add_velocity(m, m->mesh->by_v, m->g, m->beta);
+        status = fvi_adjoint_mechanism_add_velocity(m, m->mesh->by_v);
     if (want->x0)
         memcpy(want->x0, m->g, d * sizeof *m->g);
     if (want->p0)

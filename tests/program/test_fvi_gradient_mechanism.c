@@ -105,6 +105,30 @@ START_TEST(rows_of_a_mechanism_are_differences_of_runs)
 }
 END_TEST
 
+/* p does not say the velocity of a coordinate without mass, unless a constraint ties it to others. */
+START_TEST(a_coordinate_without_mass_beside_a_constraint_has_a_gradient)
+{
+#define PAIR "--potential 'x1^2+(x1-x2)^2/2+x2^4' --mass 1.7,0 --h 0.05 --steps 3 "
+#define THREE "--potential 'x1^2+(x1-x2)^2/2+x2^4+(x3-x2)^2' --mass 1.7,1,0 --h 0.05 --steps 3 "
+    static const moved rows[] = {
+        { PAIR "--method fvi-lobatto3d --impose 'x1=0.1*t^2' --damper 'x2 : viscous:0.47' --p0 0,0 --x0 0,%.17g",
+          "x:2", "x0_2", -0.5 },
+        { PAIR "--method fvi-lobatto2d --impose 'x2=0.1*t-0.5' --damper 'x2-x1 : power:0.47,0.7' "
+               "--p0 0.3,0 --x0 %.17g,-0.5",
+          "x:1", "x0_1", -0.2 },
+        { PAIR "--method fvi-lobatto3d --damper 'x2+x1 : power:0.47,0.7' --x0 -0.2,-0.5 --p0 %.17g,0",
+          "x:2", "p0_1", 0.3 },
+        { THREE "--method fvi-lobatto3d --constraint 'x1-x3+0.6' --damper 'x2-x3 : power:0.47,0.7' "
+                "--x0 -0.2,-0.5,0.4 --p0 0,%.17g,0",
+          "x:3", "p0_2", 0.2 },
+    };
+#undef PAIR
+#undef THREE
+    for (size_t i = 0; i < LEN(rows); i++)
+        ck_assert_row_is_difference(rows + i);
+}
+END_TEST
+
 START_TEST(rows_where_the_ground_moves_are_differences_of_runs)
 {
     static const moved rows[] = {
@@ -302,6 +326,7 @@ int main(void)
 {
     Suite *suite = suite_create("the program fvi: gradients of mechanisms");
     ADD_CASE(suite, "gradient", rows_of_a_mechanism_are_differences_of_runs,
+             a_coordinate_without_mass_beside_a_constraint_has_a_gradient,
              several_powers_of_the_past_rl_are_as_many_dampers,
              rows_where_the_ground_moves_are_differences_of_runs, a_ground_may_jump_at_a_row,
              what_a_mechanism_has_no_row_of_is_said, a_place_that_would_stretch_a_damper_of_the_past_rl_has_no_row,
