@@ -62,6 +62,42 @@ static double damper_force(const fvi_mechanism_state *o, size_t j)
 }
 //< damper
 
+/* A coordinate without inertia takes the mean of what acts on it at both ends of a step. With the values at the nodes
+ * its mean places would swing about the balance of the forces, which (29.17) and (29.25) do not cancel.
+ *
+ * force_at_begin -- return F on coordinate i at the beginning of the step.
+ * write_gradients -- write the derivatives by x_i of the elongation of damper e, at both ends of the step. */
+static double force_at_begin(const fvi_mechanism_state *o, size_t i)
+{
+    return o->is_massless[i] ? (o->load[i] + o->load[o->d + i]) / 2 : o->load[i];
+}
+
+static void write_gradients(const fvi_mechanism_state *o, size_t e, size_t i, double *begin, double *end)
+{
+    *begin = o->G[e * o->d + i];
+    *end = o->gradient[e * o->d + i];
+    if (o->is_massless[i])
+        *begin = *end = (*begin + *end) / 2;
+}
+
+/* Add the derivative by u of half the gradient at the end of the step, times the force of damper e, in the rows of
+ * coordinates without inertia. Changes o->fx. */
+static int add_curvature_of_massless(fvi_stepper *s, size_t e, double force)
+{
+    fvi_mechanism_state *o = s->mechanism;
+    const fvi_elongation *of = &s->run.system->mechanism->damper[e].of;
+    const size_t d = o->d;
+    if (!o->any_massless || of->row || !of->hessian)
+        return FVI_SUCCESS;
+    memset(o->fx, 0, d * d * sizeof *o->fx);
+    const double h = s->run.h;
+    const int status = of->hessian(time_of(s, s->k + 1), d, o->X + d, h * h / 4 * force, of->params, o->fx);
+    for (size_t i = 0; i < d; i++)
+        for (size_t j = 0; j < d && o->is_massless[i]; j++)
+            o->matrix[i * o->n + j] += o->fx[i * d + j];
+    return status;
+}
+
 //> residual
 /* Assemble h times the equation of p_k. u holds the increment, then h^2 / 2 Lambda. */
 static int assemble_equations(fvi_stepper *s, const double *u)
@@ -76,7 +112,7 @@ static int assemble_equations(fvi_stepper *s, const double *u)
     for (size_t i = 0; i < d; i++) {
         o->residual[i] = h
                          * (o->Lv[i] - kappa * h * o->f[i]
-                            - h / 2 * o->load[i] - s->p[i]);
+                            - h / 2 * force_at_begin(o, i) - s->p[i]);
         for (size_t j = 0; j < d; j++)
             o->matrix[i * n + j] = o->Lvv[i * d + j]
                                    + h * (ahead * o->Lxv[j * d + i]
@@ -87,10 +123,13 @@ static int assemble_equations(fvi_stepper *s, const double *u)
             o->matrix[i * n + d + l] = o->C[l * d + i];
         }
     }
-    for (size_t e = 0; e < o->r && is_node; e++) {
+    for (size_t e = 0; e < o->r && is_node && !status; e++) {
         const double force = damper_force(o, e);
+        status = add_curvature_of_massless(s, e, force);
         for (size_t i = 0; i < d; i++) {
-            const double G = o->G[e * d + i], half = h * h / 2 * G;
+            double G, at_end;
+            write_gradients(o, e, i, &G, &at_end);
+            const double half = h * h / 2 * G;
             o->residual[i] += half * force + h * G * o->start_impulse[2 * e];
             for (size_t j = 0; j < d; j++)
                 o->matrix[i * n + j] +=
@@ -191,8 +230,11 @@ static int end_nodes(fvi_stepper *s, const double *u)
         const double force = damper_force(o, j),
                      before = h / 2 * force + o->start_impulse[2 * j],
                      after = h / 2 * force + o->start_impulse[2 * j + 1];
-        for (size_t i = 0; i < d; i++)
-            s->p[i] -= before * o->G[j * d + i] + after * o->gradient[j * d + i];
+        for (size_t i = 0; i < d; i++) {
+            double at_begin, at_end;
+            write_gradients(o, j, i, &at_begin, &at_end);
+            s->p[i] -= before * at_begin + after * at_end;
+        }
         o->impulse[j] += before + after;
         o->work[j] += (before + after) / h * (o->elongation[j] - o->z[j]);
         o->zdot[j] = (o->z[j] + o->elongation[j]) / 2 - o->z0[j];
