@@ -4,6 +4,7 @@
 
 #include "options/fvi_words.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -117,6 +118,12 @@ static int last_value(request *r)
     return status;
 }
 
+int fvi_gradient_is_short_beside(const request *r, size_t i)
+{
+    size_t rows = 0;
+    return r->of == 3 && !fvi_observer_short_rows_beside(r->o.method, &r->run, i, &rows) && rows >= r->o.steps;
+}
+
 int fvi_gradient_of_damper(request *r, const fvi_objective *objective)
 {
     const size_t n = r->of_dampers;
@@ -128,6 +135,9 @@ int fvi_gradient_of_damper(request *r, const fvi_objective *objective)
     if (!status)
         status = fvi_adjoint_forces(r->o.method, &r->run, objective, r->of == 3 ? rows : NULL, r->of == 4 ? rows : NULL,
                                     &r->to);
+    for (size_t i = 0; !status && r->to.x0 && i < r->o.d; i++)
+        if (fvi_gradient_is_short_beside(r, i))
+            r->to.x0[i] = NAN;
     free(rows);
     return status;
 }

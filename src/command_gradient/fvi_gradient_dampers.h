@@ -12,7 +12,12 @@ int fvi_gradient_is_of_damper(const char *text);
  * dampers, and r->of_dampers is the count of these numbers. Return 0, or nonzero with the error filled in. */
 int fvi_gradient_find_damper(fvi_gradient_request *r, fvi_error *c);
 
-/* Compute r->value and the derivatives. Return FVI_SUCCESS or a code of the library. */
+/* Return nonzero if --of names a force that comes from steps shorter than those of the run, if the run begins beside x0
+ * along coordinate i. */
+int fvi_gradient_is_short_beside(const fvi_gradient_request *r, size_t i);
+
+/* Compute r->value and the derivatives; NaN by an x0 beside which the force is that of shorter steps. Return
+ * FVI_SUCCESS or a code of the library. */
 int fvi_gradient_of_damper(fvi_gradient_request *r, const fvi_objective *objective);
 
 #endif

@@ -1,6 +1,8 @@
 /* src/command_gradient/fvi_gradient_rows.c -- Name the rows of `fvi gradient`. */
 #include "fvi_gradient_rows.h"
 
+#include "fvi_gradient_dampers.h"
+
 #include <fvi/formulas.h>
 #include <fvi/rheology.h>
 
@@ -73,6 +75,14 @@ static const char *warning_of_start(const request *r, size_t i)
         if (c->imposed[l] == i + 1)
             return "no derivative by %s: this coordinate is imposed";
     return NULL;
+}
+
+static const char *warning_of_place(const request *r, size_t i)
+{
+    const char *warning = warning_of_start(r, i);
+    if (!warning && r->to.x0 && isnan(r->to.x0[i]) && fvi_gradient_is_short_beside(r, i))
+        warning = "no derivative by %s: from another start this force comes from steps shorter than those of the run";
+    return warning;
 }
 
 /* Return why a law has no derivatives, or only that by its factor. */
@@ -227,7 +237,7 @@ static void rows_of_potential(const visitor *v, const request *r)
 
 void fvi_gradient_rows(const request *r, const visitor *v)
 {
-    rows_of_coordinates(v, r, "x0", r->to.x0, warning_of_start);
+    rows_of_coordinates(v, r, "x0", r->to.x0, warning_of_place);
     rows_of_coordinates(v, r, "p0", r->to.p0, warning_of_start);
     rows_of_inertia(v, r);
     for (size_t i = 0; i < r->terms; i++)

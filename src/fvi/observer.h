@@ -172,6 +172,13 @@ size_t fvi_observer_width(const fvi_observer *o, size_t j);
  * cannot differentiate these rows, nor row 0 if a coordinate has no inertia. */
 size_t fvi_observer_short_rows(const fvi_observer *o);
 
+/* fvi_observer_short_rows_beside -- write to *rows how many first rows come from shorter steps in a run that begins
+ * beside x0 along coordinate i; 0 if no run begins there. With the past RIEMANN_LIOUVILLE a damper jumps there, though
+ * it does not jump at the elongation 0. The forces of these rows then have no derivative by x0_i.
+ *
+ * Returns FVI_SUCCESS or FVI_ENOMEM. */
+int fvi_observer_short_rows_beside(const fvi_method *method, const fvi_run *run, size_t i, size_t *rows);
+
 /* fvi_observer_copy -- Copy an observer, for use with a copy of its stepper (fvi_stepper_copy).
  *
  *   to  output; free it with fvi_observer_free

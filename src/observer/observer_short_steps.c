@@ -2,6 +2,7 @@
 #include "observer_state.h"
 
 #include "kernel/kernel_terms.h"
+#include "run/run_damper.h"
 #include "system/larger.h"
 #include "variable_step/variable_step.h"
 
@@ -226,4 +227,37 @@ int fvi_short_rows_copy(const fvi_short_rows *from, fvi_short_rows *to)
 void fvi_short_rows_free(fvi_short_rows *o)
 {
     free(o->numbers);
+}
+
+/* ---- rows of a run that begins at another place ---- */
+
+static int has_jumping_past(const fvi_run *run)
+{
+    int is = 0;
+    for (size_t j = 0; j < fvi_run_damper_count(run); j++)
+        is |= fvi_run_damper_of(run, j).past == FVI_INITIAL_HISTORY_RIEMANN_LIOUVILLE;
+    return is;
+}
+
+int fvi_observer_short_rows_beside(const fvi_method *method, const fvi_run *run, size_t i, size_t *rows)
+{
+    const size_t d = run->system->d;
+    fvi_run beside = *run;
+    fvi_stepper *s = NULL;
+    fvi_observer *o = NULL;
+    *rows = 0;
+    if (!has_jumping_past(run))
+        return FVI_SUCCESS;
+    double *x0 = malloc(d * sizeof *x0);
+    if (!x0)
+        return FVI_ENOMEM;
+    memcpy(x0, run->x0, d * sizeof *x0);
+    x0[i] += 1e-6 * larger(1, fabs(x0[i]));
+    beside.x0 = x0;
+    if (!fvi_stepper_start(method, &beside, &s, NULL) && !fvi_observer_start(s, FVI_OBSERVE_FORCE, &o, NULL))
+        *rows = fvi_observer_short_rows(o);
+    fvi_observer_free(o);
+    fvi_stepper_free(s);
+    free(x0);
+    return FVI_SUCCESS;
 }

@@ -350,14 +350,44 @@ START_TEST(a_gradient_of_a_damper_is_a_difference_of_runs)
 }
 END_TEST
 
+/* With the past rl the force jumps at every start but 0, so the first rows of a neighbour come from shorter steps. */
+START_TEST(a_force_of_a_first_row_has_no_derivative_by_a_start_at_0_of_the_past_rl)
+{
+#define AT_0 "gradient --x0 0 --p0 0.5 --h 0.1 --method fvi-stable "
+    static const char *const first[] = {
+        AT_0 "--of d1.force --steps 2 --alpha 0.3 --derivative rl",
+        AT_0 "--of d1.force --steps 2 --damper 'x : power:0.2,0.3 : rl'",
+    };
+    for (size_t i = 0; i < LEN(first); i++) {
+        ck_assert_int_eq(fvi(first[i]), 0);
+        ck_assert_ptr_nonnull(strstr(out, "# warning = no derivative by x0: from another start this force comes from "
+                                          "steps shorter than those of the run\n"));
+        ck_assert(!strstr(out, "\nx0\t"));
+        ck_assert_ptr_nonnull(strstr(out, "\np0\t"));
+    }
+    ck_assert_int_eq(fvi(AT_0 "--of d1.impulse --steps 2 --alpha 0.3 --derivative rl"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "\nx0\t"));
+    ck_assert_int_eq(fvi(AT_0 "--of d1.force --steps 2 --alpha 0.3 --derivative held"), 0);
+    ck_assert_ptr_nonnull(strstr(out, "\nx0\t"));
+    static const char later[] = "--p0 0.5 --h 0.1 --steps 20 --method fvi --alpha 0.3 --derivative rl";
+    const double want = last_of_run(later, "d1.force", "--x0 1") - last_of_run(later, "d1.force", "--x0 0");
+    char line[200];
+    snprintf(line, sizeof line, "gradient --x0 0 --of d1.force %s", later);
+    ck_assert_int_eq(fvi(line), 0);
+    ck_assert_near(derivative("x0"), want, 1e-12, "row 20");
+#undef AT_0
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("fvi gradient");
     ADD_CASE(suite, "answers", rows_of_a_gradient_are_differences_of_runs,
              by_chooses_rows,
              the_forces_and_the_start_add_up_to_a_linear_motion,
-             nothing_has_no_sign, a_gradient_of_a_damper_is_a_difference_of_runs, bad_words_of_a_gradient_are_refused,
-             a_gradient_that_cannot_be_had_says_why);
+             nothing_has_no_sign, a_gradient_of_a_damper_is_a_difference_of_runs,
+             a_force_of_a_first_row_has_no_derivative_by_a_start_at_0_of_the_past_rl,
+             bad_words_of_a_gradient_are_refused, a_gradient_that_cannot_be_had_says_why);
     ADD_CASE(suite, "work", a_gradient_does_not_run_once_more_for_its_value);
     return run_suite_of_program(suite);
 }

@@ -148,3 +148,19 @@ def test_a_massless_point_has_no_derivative_of_its_force_at_the_start():
     first[0] = 1
     with pytest.raises(ValueError, match="^forces: the forces of rows 0 to 21 come from steps shorter"):
         fvi.vjp(s, forces={"d1": first})
+
+
+def test_first_rows_have_no_derivative_by_a_start_at_0_of_the_past_rl():
+    problem = fvi.Problem("harmonic:1", x0=0, rho=0.3, alpha=0.3, past="rl", time=6)
+    s = fvi.solve(problem, h=0.1, method="fvi-stable")
+    for row, is_known in ((0, False), (1, False), (30, False), (31, True), (60, True)):
+        by = np.zeros(s.forces["d1"].shape)
+        by[row] = 1
+        if is_known:
+            other = fvi.solve(problem.replace(x0=1), h=0.1, method="fvi-stable").forces["d1"]
+            g = fvi.vjp(s, forces={"d1": by}, wrt=["x0"])
+            assert abs(np.sum(g["x0"]) - (other - s.forces["d1"])[row].sum()) < 1e-11
+            continue
+        with pytest.warns(fvi.FviWarning, match="^x0: no derivative by it: from other starts these forces jump"):
+            g = fvi.vjp(s, forces={"d1": by}, wrt=["x0", "p0"])
+        assert np.isnan(g["x0"]).all() and np.isfinite(g["p0"]).all()

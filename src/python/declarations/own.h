@@ -32,6 +32,7 @@ int fvi_observer_start(const fvi_stepper *s, unsigned wanted, fvi_observer **o, 
 size_t fvi_observer_dampers(const fvi_observer *o);
 size_t fvi_observer_width(const fvi_observer *o, size_t j);
 size_t fvi_observer_short_rows(const fvi_observer *o);
+int fvi_observer_short_rows_beside(const fvi_method *method, const fvi_run *run, size_t i, size_t *rows);
 void fvi_observer_free(fvi_observer *o);
 typedef struct { double *v, *a, *force, *impulse, *work, *multiplier, *work_of_force, *balance; } observed;
 int observe(fvi_observer *o, fvi_stepper *s, size_t rows, const double *t, const observed *to, size_t *done);

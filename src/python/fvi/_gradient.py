@@ -267,7 +267,8 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     and alpha2; with rho alone by "fvi-adaptive"; None, with a warning, of
     maxwell2 and of several terms by "fvi-adaptive", which wrt cannot ask for; "force", of measured rows, by each F.
 
-    By x0, p0 or v0 it is NaN, and a warning says so, where other starts have no solution.
+    By x0, p0 or v0 it is NaN, and a warning says so, where other starts have no solution; by an x0 of 0 with the past
+    "rl" also of first rows of forces, which come from shorter steps for every other start.
 
     These are the derivatives of the numbers that `solve` gives, exact but for rounding: no difference is taken. Of
     "fvi-adaptive" the steps are held, and with error they are those of another run as fine.
@@ -309,7 +310,25 @@ def vjp(solution: Solution, x: Optional[Numbers] = None, p: Optional[Numbers] = 
     add_energy(solution, by_energy, system, found)
     if q.ground is not None and "mass" in found:
         add_ground(system, adjoint, found, q.kind == "structure")
-    return named(by, found)
+    answer = named(by, found)
+    if forces and "x0" in answer:
+        beside = short_beside(adjoint, of_dampers[0])
+        answer["x0"] = answer["x0"] + like(1.0 if q.x0 is None else q.x0, beside)
+    return answer
+
+
+def short_beside(adjoint: AdjointRun, by: Any) -> Array:
+    """NaN for each x0 beside which these forces jump or come from steps shorter than those of the run, else 0."""
+    told, rows, run = np.zeros(adjoint.d), ffi.new("size_t *"), adjoint.motion.run
+    known = np.flatnonzero(np.frombuffer(ffi.buffer(by)).reshape(run.steps + 1, -1).any(axis=1))
+    for i in range(adjoint.d if known.size else 0):
+        succeed(ask(lib.fvi_observer_short_rows_beside, adjoint.method, run, i, rows))
+        if rows[0] and (known <= rows[0]).any():
+            told[i] = np.nan
+    if np.isnan(told).any():
+        warn("x0: no derivative by it: from other starts these forces jump, or come from steps shorter than those of the "
+             "run")
+    return told
 
 
 def short_rows(s: Solution) -> range:
