@@ -110,15 +110,17 @@ int fvi_observer_begin_accelerations(fvi_observer *o, const fvi_stepper *s)
 
 int fvi_observer_mean_massless(fvi_observer *o, const fvi_stepper *s)
 {
-    const double h = s->run.h, *row = fvi_short_row(&o->short_rows, 1),
-                 *x = row ? row + o->forces + 2 * o->d + o->ties : o->x;
+    double end = s->run.h;
+    const double *row = fvi_short_row(&o->short_rows, 1), *x = row ? row + o->forces + 2 * o->d + o->ties : o->x;
     fvi_stepper *fork = NULL;
     int status = row ? FVI_SUCCESS : fvi_stepper_copy(s, &fork);
     if (!row && !status)
-        status = fvi_stepper_advance_to(fork, h, o->x, NULL);
+        status = fvi_observer_take_first_row(fork, NULL, &end);
+    if (!row && !status)
+        status = fvi_stepper_advance_to(fork, end, o->x, NULL);
     fvi_stepper_free(fork);
     for (size_t i = 0; i < o->d && !status; i++)
-        o->begin_v[i] = (x[i] - s->x[i]) / h;
+        o->begin_v[i] = (x[i] - s->x[i]) / end;
     return status;
 }
 

@@ -223,17 +223,17 @@ static int read_contacts(fvi_observer *o, const fvi_stepper *s, double t)
 /* The mean of the acceleration over the first row, from a stepper at t = 0. */
 static int read_mean_acceleration(fvi_observer *o, fvi_stepper *fork)
 {
-    const double h = fork->run.h;
+    double end = 0;
     double *before = o->change;
     int status = fvi_observer_velocity(o, fork, fork->p, before);
-    while (!status && fork->t < h)
-        status = fvi_stepper_step(fork);
     if (!status)
-        status = fork->method->dense(fork, h, o->x, o->p);
+        status = fvi_observer_take_first_row(fork, NULL, &end);
     if (!status)
-        status = fvi_mesh_velocity(fork, h, o->x, o->p, o->a);
+        status = fork->method->dense(fork, end, o->x, o->p);
+    if (!status)
+        status = fvi_mesh_velocity(fork, end, o->x, o->p, o->a);
     for (size_t j = 0; j < o->d && !status; j++)
-        o->a[j] = (o->a[j] - before[j]) / h;
+        o->a[j] = (o->a[j] - before[j]) / end;
     return status;
 }
 

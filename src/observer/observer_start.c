@@ -6,6 +6,7 @@
 #include "system/fail.h"
 #include "variable_step/variable_mechanism.h"
 
+#include <fvi/events.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -145,6 +146,16 @@ static int start_ties_on_mesh(fvi_observer *o, const fvi_stepper *s)
     return status;
 }
 
+int fvi_observer_take_first_row(fvi_stepper *fork, fvi_observer *sums, double *end)
+{
+    const double h = fork->run.h;
+    int status = FVI_SUCCESS;
+    while (!status && fork->t < h && !fvi_stepper_is_over(fork))
+        status = sums ? fvi_observer_step(sums, fork) : fvi_stepper_step(fork);
+    *end = fork->t < h ? fork->t : h;
+    return status || *end > 0 ? status : FVI_EINVAL;
+}
+
 /* Replace infinite forces at t = 0 by their means over the first row. Accelerations and multipliers follow from these
  * means by the equation of motion; or, if the equation of a mechanism cannot be solved, they are means themselves. */
 static int set_mean_start(fvi_observer *o, const fvi_stepper *s)
@@ -152,29 +163,29 @@ static int set_mean_start(fvi_observer *o, const fvi_stepper *s)
     fvi_stepper *fork = NULL;
     fvi_observer *sums = NULL;
     fvi_observation now = { 0 };
-    const double h = s->run.h;
+    double end = 0;
     int status = fvi_stepper_copy(s, &fork);
     if (!status)
         status = fvi_observer_start(
             fork, FVI_OBSERVE_IMPULSE | FVI_OBSERVE_VELOCITY | FVI_OBSERVE_OWN_STEPS, &sums, NULL);
-    while (!status && fork->t < h)
-        status = fvi_observer_step(sums, fork);
     if (!status)
-        status = fvi_observer_read_all(sums, fork, h, &now);
+        status = fvi_observer_take_first_row(fork, sums, &end);
+    if (!status)
+        status = fvi_observer_read_all(sums, fork, end, &now);
     const double *first = o->has_massless ? fvi_short_row(&o->short_rows, 1) : NULL;
     const double *v = first ? first + o->forces : now.v;
     for (size_t j = 0; j < o->forces && !status; j++)
         if (isinf(o->start[j]))
-            o->start[j] = now.impulse[j] / h;
+            o->start[j] = now.impulse[j] / end;
     if (!status && o->has_mechanism)
         status = fvi_observer_begin_motion(o, s);
     const int is_known = o->tracked > o->forces && isfinite(o->start[o->forces]);
     for (size_t i = o->forces; i < o->forces + o->slopes && !is_known && !status; i++)
-        o->start[i] = (v[i - o->forces] - o->impulse[i]) / h;
+        o->start[i] = (v[i - o->forces] - o->impulse[i]) / end;
     if (!status && o->begin_v_known)
         status = fvi_observer_begin_accelerations(o, s);
     if (!status && !is_known && o->ties > 0)
-        status = s->method->dense ? start_ties_on_mesh(o, s) : start_ties(o, fork, h);
+        status = s->method->dense ? start_ties_on_mesh(o, s) : start_ties(o, fork, end);
     fvi_observer_free(sums);
     fvi_stepper_free(fork);
     return status;

@@ -180,6 +180,15 @@ int fvi_observer_mean_massless(fvi_observer *o, const fvi_stepper *s);
 int fvi_observer_begin_accelerations(fvi_observer *o, const fvi_stepper *s);
 void fvi_observer_put_massless(const fvi_observer *o, const fvi_stepper *s, double *v);
 
+/* fvi_observer_take_first_row -- take the steps of the first row, or up to the event that ends the run before.
+ *
+ *   fork  a stepper at t = 0
+ *   sums  the observer of the steps; or NULL
+ *   end   output: the time that is reached, h or that of the event
+ *
+ * Returns FVI_SUCCESS; FVI_EINVAL if an event at t = 0 ends the run; the code of a step. */
+int fvi_observer_take_first_row(fvi_stepper *fork, fvi_observer *sums, double *end);
+
 /* fvi_observer_read_all -- as fvi_observer_read, but for a structure's damper along a row it gives all d forces. */
 int fvi_observer_read_all(fvi_observer *o, const fvi_stepper *s, double t, fvi_observation *now);
 

@@ -279,6 +279,32 @@ START_TEST(the_balance_falls_at_impacts_alone)
 }
 END_TEST
 
+/* A force that is infinite at t = 0 is printed as its mean over the first row, here up to the stop within that row. */
+START_TEST(a_stop_in_the_first_row_ends_the_mean_at_its_start)
+{
+    static const mechanism_text text = { .name = "stopped", .d = 1, .lagrangian = "v^2/2 - x^2/2",
+                                         .damper = { "x : power:1,0.8" }, .x0 = { 1 }, .v0 = { 1 } };
+    static const char *const stop[MOST_EVENTS] = { "x : stop" };
+    watched w;
+    open_watched(&text, stop, 5, &w);
+    fvi_stepper *s;
+    fvi_observer *o;
+    fvi_observation now;
+    OK(fvi_stepper_start(&fvi_variable_step, &w.run, &s, NULL));
+    OK(fvi_observer_start(s, FVI_OBSERVE_FORCE | FVI_OBSERVE_IMPULSE, &o, NULL));
+    OK(fvi_observer_read(o, s, 0, &now));
+    const double mean = now.force[0];
+    while (!fvi_stepper_is_over(s))
+        OK(fvi_observer_step(o, s));
+    ck_assert(s->t > 1 && s->t < w.run.h);
+    OK(fvi_observer_read(o, s, s->t, &now));
+    ck_assert_double_eq_tol(mean * s->t, now.impulse[0], 1e-14);
+    fvi_observer_free(o);
+    fvi_stepper_free(s);
+    close_watched(&w);
+}
+END_TEST
+
 int main(void)
 {
     Suite *suite = suite_create("lagrangian: events");
@@ -286,6 +312,7 @@ int main(void)
     ADD_LOOP(suite, eq_29_20_the_order_stays_2s_minus_2, 2);
     ADD_LOOP(suite, eq_29_20_the_speed_of_z_turns_round, 2);
     ADD_CASE(suite, "events", an_elastic_impact_takes_no_energy, hops_come_to_rest, marks_and_stops_know_v_and_p,
-             a_kick_of_a_mechanism_is_an_impulse, the_balance_falls_at_impacts_alone);
+             a_kick_of_a_mechanism_is_an_impulse, the_balance_falls_at_impacts_alone,
+             a_stop_in_the_first_row_ends_the_mean_at_its_start);
     return run_suite(suite);
 }
