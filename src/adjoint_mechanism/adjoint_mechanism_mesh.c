@@ -63,10 +63,6 @@ static int start(fvi_adjoint_mechanism *m)
     mesh->path.size = 2 * m->d + m->n + m->r * m->s + o->m;
     mesh->rule = of->rule;
     mesh->row = m->run->steps;
-    if (o->any_massless)
-        FVI_FAIL("no adjoint by steps of any length of a coordinate without inertia; by fvi-lobatto2d to 8d "
-                 "there is",
-                 FVI_EUNSUP);
     status = fvi_adjoint_mechanism_allocate(m);
     mesh->adjoint = calloc(m->r + 1, sizeof *mesh->adjoint);
     mesh->source = FVI_ARRAYS({ &mesh->source, m->s * m->d }, { &mesh->by_v, m->d }, { &mesh->by_x, m->d },
@@ -155,7 +151,8 @@ static int evaluate_row_slopes(fvi_adjoint_mechanism *m, size_t k)
 }
 
 /* Add dJ/dx of all rows in step n, but for one at its beginning, to the derivatives by V of its stages and by v and x
- * at its beginning. The derivative by v at its end, by_v, goes to its last V, unless v is solved from p there. */
+ * at its beginning. The derivative by v at its end, by_v, goes to its last V, unless v is solved from p there, as it is
+ * not for a coordinate without inertia. */
 static int add_rows(fvi_adjoint_mechanism *m, size_t n)
 {
     struct fvi_adjoint_mesh *mesh = m->mesh;
@@ -164,8 +161,9 @@ static int add_rows(fvi_adjoint_mechanism *m, size_t n)
     const double h = step->length.h;
     int status = FVI_SUCCESS;
     memset(mesh->source, 0, s * d * sizeof *mesh->source);
-    if (!solves_velocity(m, n))
-        memcpy(mesh->source + (s - 1) * d, mesh->by_v, d * sizeof *mesh->by_v);
+    for (size_t j = 0; j < d; j++)
+        if (!solves_velocity(m, n) || m->o->is_massless[j])
+            mesh->source[(s - 1) * d + j] = mesh->by_v[j];
     memset(mesh->by_v, 0, 2 * d * sizeof *mesh->by_v);
     for (; !status && mesh->row > 0; mesh->row--) {
         const double t = (double)mesh->row * m->run->h, theta = fmin((t - step->t) / h, 1);

@@ -97,8 +97,8 @@ extern "C" {
  *     alpha at alpha = 1 with HELD or RIEMANN_LIOUVILLE, at alpha = 0 with RIEMANN_LIOUVILLE, and at alpha = 0 with
  *     matrices; has_momenta at alpha = 1 if something is damped; a body whose A is 0, if no step is short enough for it
  *     (22.23);
- *   - fvi_variable_step with a mechanism: also terms; has_momenta; a coordinate without inertia; impulses beside
- *     constraints; the past RIEMANN_LIOUVILLE; CAPUTO of a kernel that grows faster than s.
+ *   - fvi_variable_step with a mechanism: also terms; has_momenta; impulses beside constraints; the past
+ *     RIEMANN_LIOUVILLE; CAPUTO of a kernel that grows faster than s.
  *
  * Cost: one factorisation of a Hessian for each step, none if U is quadratic, and no iteration. With stages it is
  * always one, of a matrix s - 2 times as large as a Hessian, or s times in form D. Measured for fvi_fractional, one

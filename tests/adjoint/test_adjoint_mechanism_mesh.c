@@ -69,6 +69,11 @@ static const mesh_problem problems[] = {
       .damper = { "x2+b*x1 : zener:0.4,0.3,0.5" },
       .constraint = "x2-a*x1^2",
       .d = 2, .dampers = 1, .p0 = { 0.7, 0 }, .along = { 1, 0 } },
+    { .name = "without mass beside a hand",
+      .lagrangian = "v1^2/2-(x1-k*x2)^2/2-b*x2^4",
+      .damper = { "x2 : viscous:0.8" },
+      .imposed = "x1=a*(1-cos(c*t))",
+      .d = 2, .dampers = 1, .x0 = { 0, 1.2 }, .along = { 0, 1 } },
 };
 enum { COUNT = sizeof problems / sizeof *problems };
 
