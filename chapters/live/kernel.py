@@ -15,7 +15,7 @@ import wasm  # noqa: E402
 
 SOURCES = [PLAY / "play.c", PLAY / "gsl.c", HERE / "gsl_modes.c", PLAY / "strtod.c", HERE / "live.c", HERE / "inverse.c", HERE / "pendulum.c"]
 MODULES = [*wasm.MODULES, "linearised", "history_modes", "memory_nodes", "integration_by_parts", "half_derivative", "discrete_principle",
-           "sensitivity", "adjoint", "checkpointing", "adjoint_multistep", "adjoint_multipliers", "node_terms", "adjoint_multistep_damping", "adjoint_multistep_alone", "constant_history", "order_filter", "potential_derivatives", "control", "identification_tangent", "tangent", "tangent_dampers", "tangent_nodes"]
+           "sensitivity", "adjoint", "checkpointing", "held_dampers", "adjoint_multistep", "adjoint_multipliers", "node_terms", "adjoint_multistep_damping", "adjoint_multistep_alone", "constant_history", "order_filter", "potential_derivatives", "control", "identification_tangent", "tangent", "tangent_dampers", "tangent_nodes"]
 # Of the exponentials those of many masses, of gradients those of steps and methods that no figure has.
 ABSENT = [*wasm.ABSENT, *"""fvi_kernel_poles fvi_history_tiled_alloc fvi_history_tiled_bytes fvi_adjoint_variable fvi_adjoint_lobatto_end
     fvi_adjoint_lobatto_start fvi_adjoint_lobatto_step
@@ -29,7 +29,7 @@ BUILDING = [PLAY / "gsl.c", HERE / "gsl_modes.c", HERE / "building.c"]
 BUILDING_MODULES = """structures structure_dampers damping_matrix sparse factors history_space convolution_quadrature_methods convolution_quadrature_dampers
     damping damping_matrices damping_sums initial_history_force kernel_history kernel_modes kernel_classes kernel_fractions symbol_poles kernel_sums kernel_general damping_laws
     coefficients convolution_quadrature history_direct history_modes memory memory_nodes past newton newton_stages band lu
-    dampers_check run_check run_damper solution trajectory impulses error system lagrangian""".split()
+    dampers_check run_check run_damper solution step_force trajectory impulses error system lagrangian""".split()
 BUILDING_ABSENT = """fvi_cholmod_alloc fvi_cholmod_solve fvi_events_check fvi_impulses_of_kernel_alloc fvi_impulses_of_kernel_at
     fvi_impulses_of_kernel_copy fvi_impulses_of_kernel_free fvi_history_tiled_alloc fvi_history_tiled_bytes fvi_linearised_force
     fvi_newton_by_linearised fvi_shifted_symbol fvi_stability_number_none fvi_mechanism_start gsl_integration_glfixed_point

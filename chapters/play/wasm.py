@@ -8,7 +8,7 @@ import tempfile
 PLAY = pathlib.Path(__file__).parent
 # What a run of the page takes of src/.
 MODULES = """band error expression expression_parse expression_values lagrangian lu newton newton_stages potentials system tape coefficients convolution_quadrature lobatto_history lobatto_modes
-    lobatto_nodes lobatto_rules lobatto_weights memory history_direct past impulses run_check solution trajectory
+    lobatto_nodes lobatto_rules lobatto_weights memory history_direct past impulses run_check solution step_force trajectory
     convolution_quadrature_stability stability stability_explicit stability_step
     convolution_quadrature_dampers convolution_quadrature_methods damping damping_sums discrete_mechanics fvi stability_number lobatto lobatto_damped
     lobatto_start initial_history_force run_damper exact_inverse exact_pole exact_solution""".split()

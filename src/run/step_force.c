@@ -3,7 +3,6 @@
 
 #include "system/fail.h"
 
-#include <stdio.h>
 #include <string.h>
 
 /* 0 v is 0 for a finite v and NaN otherwise, and so is the sum. The sum may be taken in any order, so the loop is
@@ -36,12 +35,13 @@ int fvi_check_finite(const fvi_stepper *s, const char *field, const char *what, 
         return FVI_SUCCESS;
     while (i + 1 < n && isfinite(v[i]))
         i++;
-    char number[24] = "";
-    if (n > 1)
-        snprintf(number, sizeof number, "%zu", i + 1);
+    const char *words = fvi_not_finite_in_words(v[i]);
+    const double when = t < begin ? 0 : t;
     return fvi_at_index(s->error, i,
-                        fvi_fail(s->error, FVI_EBADFUNC, field, v[i], "%s%s%s is %s at t = %.10g", what,
-                                 n > 1 ? which : "", number, fvi_not_finite_in_words(v[i]), t < begin ? 0 : t));
+                        n > 1 ? fvi_fail(s->error, FVI_EBADFUNC, field, v[i], "%s%s%zu is %s at t = %.10g", what,
+                                         which, i + 1, words, when)
+                              : fvi_fail(s->error, FVI_EBADFUNC, field, v[i], "%s is %s at t = %.10g", what, words,
+                                         when));
 }
 
 /* Check F(t) of many coordinates, or describe F(t) of one. The function is not inlined, so fvi_force_value is short. */
