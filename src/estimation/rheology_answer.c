@@ -263,7 +263,8 @@ void fvi_rheology_answer(fvi_rheology *o, const double *z, double sum, fvi_mater
             const size_t j = a->numbers++;
             a->estimate[j] = bound(&v, number_of(&v, z, g));
             if (!is_used[n] || a->flags & FVI_MATERIAL_SINGULAR) {
-                a->estimate[j] = is_used[n] || i > 0 ? a->estimate[j] : 0;
+                if (!is_used[n] && i == 0)
+                    a->estimate[j] = 0;
                 set_undetermined(&v, a, j);
                 continue;
             }

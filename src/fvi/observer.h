@@ -173,8 +173,8 @@ size_t fvi_observer_width(const fvi_observer *o, size_t j);
 size_t fvi_observer_short_rows(const fvi_observer *o);
 
 /* fvi_observer_short_rows_beside -- write to *rows how many first rows come from shorter steps in a run that begins
- * beside x0 along coordinate i; 0 if no run begins there. With the past RIEMANN_LIOUVILLE a damper jumps there, though
- * it does not jump at the elongation 0. The forces of these rows then have no derivative by x0_i.
+ * beside x0 along coordinate i; 0 if no run begins there. With the past RIEMANN_LIOUVILLE a damper may jump at t = 0, unless
+ * its elongation is 0. So if that is 0 at x0 alone, the forces of these rows have no derivative by x0_i.
  *
  * Returns FVI_SUCCESS or FVI_ENOMEM. */
 int fvi_observer_short_rows_beside(const fvi_method *method, const fvi_run *run, size_t i, size_t *rows);

@@ -65,9 +65,10 @@ static double damper_force(const fvi_mechanism_state *o, size_t j)
 /* A coordinate without inertia takes the mean of what acts on it at both ends of a step. With the values at the nodes
  * its mean places would swing about the balance of the forces, which (29.17) and (29.25) do not cancel.
  *
- * force_at_begin -- return F on coordinate i at the beginning of the step.
- * write_gradients -- write the derivatives by x_i of the elongation of damper e, at both ends of the step. */
-static double force_at_begin(const fvi_mechanism_state *o, size_t i)
+ * force_of_begin -- return the force on coordinate i in the first half of the step: F at its beginning, or the mean.
+ * write_gradients -- write the derivatives by x_i of the elongation of damper e for both halves of the step: those at
+ * its ends, or twice their mean. */
+static double force_of_begin(const fvi_mechanism_state *o, size_t i)
 {
     return o->is_massless[i] ? (o->load[i] + o->load[o->d + i]) / 2 : o->load[i];
 }
@@ -112,7 +113,7 @@ static int assemble_equations(fvi_stepper *s, const double *u)
     for (size_t i = 0; i < d; i++) {
         o->residual[i] = h
                          * (o->Lv[i] - kappa * h * o->f[i]
-                            - h / 2 * force_at_begin(o, i) - s->p[i]);
+                            - h / 2 * force_of_begin(o, i) - s->p[i]);
         for (size_t j = 0; j < d; j++)
             o->matrix[i * n + j] = o->Lvv[i * d + j]
                                    + h * (ahead * o->Lxv[j * d + i]

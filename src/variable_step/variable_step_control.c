@@ -70,11 +70,12 @@ static void shrink_step(fvi_variable_step_state *o, fvi_length length, double er
     o->counts.rejected++;
 }
 
-/* Even the shortest step has failed, with this status. If a function is not finite near o->t, say so: the force, by its
- * bound in the next steps that short, or a function of a mechanism. Return FVI_EBADFUNC, or else status. */
+/* Even the shortest step has failed, with this status. If a function is not finite near o->t, say so: the force, if it
+ * has no finite bound within the next 1000 of the shortest steps, or a function of a mechanism. Return FVI_EBADFUNC, or
+ * else status. */
 static int explain_failure(fvi_stepper *s, const fvi_variable_step_state *o, int status)
 {
-    enum { SHORT_STEPS = 1000 }; /* as many meet a pole that the steps have come near to */
+    enum { SHORT_STEPS = 1000 }; /* the steps end that near before a pole */
     const fvi_force *force = &s->run.system->force;
     if (force->bound && !force->bound(o->t, o->t + SHORT_STEPS * o->least, 0, o->d, force->params, o->most_of_force)
         && fvi_check_finite(s, "force", "the force", " on coordinate ", o->t, o->d, o->most_of_force))
